@@ -1,0 +1,3 @@
+"""sketchkit: Processing for Python, without Java."""
+
+__version__ = "0.1.0"

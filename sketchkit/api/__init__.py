@@ -1,0 +1,1 @@
+"""The student's surface: Processing's names, thin and documented."""

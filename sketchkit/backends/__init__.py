@@ -1,0 +1,1 @@
+"""Each draws a finished draw list; none imports another."""

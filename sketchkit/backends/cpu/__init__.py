@@ -1,0 +1,1 @@
+"""Draws with NumPy alone, for machines without OpenGL and for comparison."""

@@ -1,0 +1,1 @@
+"""Draws with OpenGL, through moderngl."""

@@ -1,0 +1,1 @@
+"""Values and state: no drawing, no input or output."""

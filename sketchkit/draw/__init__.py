@@ -1,0 +1,1 @@
+"""The seam: what the API records and the backends draw."""

@@ -1,0 +1,30 @@
+"""What a renderer must be able to do."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from sketchkit.draw.commands import DrawList
+from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.vertex import U8
+
+
+class Backend(Protocol):
+    """Draws finished lists. It never asks what the current fill is."""
+
+    name: str
+
+    def describe(self) -> dict[str, str]:
+        """Return what is drawing, in words: driver, version."""
+
+    def execute(self, commands: DrawList) -> None:
+        """Carry out the commands in order."""
+
+    def read(self, target: Target) -> U8:
+        """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
+
+    def forget(self, resource: Pixels | Target) -> None:
+        """Let go of the backend's copy of a resource."""
+
+    def close(self) -> None:
+        """Let go of everything."""

@@ -1,0 +1,42 @@
+"""The draw list: the one thing that the API side and the backends share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from sketchkit.draw.pipeline import Pipeline
+from sketchkit.draw.resources import Target
+from sketchkit.draw.vertex import Layer, VertexBlock
+
+
+@dataclass(frozen=True, slots=True)
+class Clear:
+    """Replace every pixel of a target, alpha included; the clip of draws does not hold here.
+
+    `color` is straight RGBA, 0..255 each; `depth` says whether depth is reset to the farthest.
+    """
+
+    target: Target
+    color: tuple[int, int, int, int]
+    depth: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """Draw `count` indices of a layer's block, from `first` on."""
+
+    pipeline: Pipeline
+    layer: Layer
+    first: int
+    count: int
+
+
+Command = Clear | Draw
+
+
+@dataclass(slots=True)
+class DrawList:
+    """Commands in order, and the vertices that they refer to."""
+
+    commands: list[Command] = field(default_factory=list)
+    blocks: dict[Layer, VertexBlock] = field(default_factory=dict)

@@ -1,0 +1,76 @@
+"""How a range of triangles is drawn: everything that is not a vertex."""
+
+from __future__ import annotations
+
+from enum import Enum, IntEnum
+from typing import NamedTuple
+
+from sketchkit.core.lights import LightRig
+from sketchkit.core.matrix import Mat4
+from sketchkit.draw.resources import Pixels, Target, Wrap
+
+
+class Program(Enum):
+    """The built-in programs; the value is the name of the shader files."""
+
+    FLAT = "color"
+    TEXTURED = "texture"
+    LIT = "light"
+    TEXTURED_LIT = "texlight"
+    LINE = "line"
+    POINT = "point"
+
+
+class Blend(IntEnum):
+    """Blend modes that work on the GPU; the values are Processing's."""
+
+    REPLACE = 0
+    BLEND = 1
+    ADD = 2
+    SUBTRACT = 4
+    LIGHTEST = 8
+    DARKEST = 16
+    EXCLUSION = 64
+    MULTIPLY = 128
+    SCREEN = 256
+
+
+class Clip(NamedTuple):
+    """A rectangle outside which nothing is drawn; whole pixels, y down from the top."""
+
+    left: int
+    top: int
+    width: int
+    height: int
+
+
+class Pipeline(NamedTuple):
+    """One way to draw; draws whose pipelines are equal are joined.
+
+    Attributes
+    ----------
+    projection : Mat4
+        Eye space to clip space as Processing defines it: +y of clip space is the top of the
+        picture. A backend turns it over for a target that is rendered top row first.
+    lights : LightRig
+        The lights in force, in eye space; read by the lit programs alone.
+    texture : Pixels or None
+        Read by the textured programs alone.
+    line_scale : (x, y, z)
+        Eye-space ends of strokes are scaled by it, so that an outline wins over its own fill.
+    stroke_perspective : bool
+        Whether the weight of lines and points is a length in eye space or in pixels.
+    """
+
+    program: Program
+    target: Target
+    projection: Mat4
+    blend: Blend
+    depth_test: bool
+    depth_write: bool
+    clip: Clip | None = None
+    lights: LightRig = ()
+    texture: Pixels | None = None
+    wrap: Wrap = Wrap.CLAMP
+    line_scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    stroke_perspective: bool = False

@@ -1,0 +1,79 @@
+"""What a drawing refers to, as plain data with a version: images and the surfaces drawn on.
+
+A backend keeps its own copy (a texture, a framebuffer) under the object's identity and makes it
+anew when `version` has moved on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Wrap(IntEnum):
+    """What a texture shows outside 0..1; the values are Processing's."""
+
+    CLAMP = 0
+    REPEAT = 1
+
+
+@dataclass(eq=False)
+class Pixels:
+    """An image.
+
+    Attributes
+    ----------
+    data : (h, w, 4) uint8
+        Straight alpha, top row first, RGBA.
+    version : int
+        Raised by whoever changes `data`.
+    mipmaps : bool
+        Whether smaller copies (2x2 means) are used when it is drawn small.
+    """
+
+    data: NDArray[np.uint8]
+    version: int = 0
+    mipmaps: bool = True
+
+    @property
+    def width(self) -> int:
+        """Columns of the image."""
+        return int(self.data.shape[1])
+
+    @property
+    def height(self) -> int:
+        """Rows of the image."""
+        return int(self.data.shape[0])
+
+
+@dataclass(eq=False)
+class Target:
+    """A surface that is drawn on: the main canvas, or one of `createGraphics()`.
+
+    Attributes
+    ----------
+    width, height : int, pixels
+    samples : int
+        1 or 4 per pixel.
+    top_row_first : bool
+        Which way up it is rendered. The main canvas keeps row 0 of its buffer at the top of the
+        picture, an offscreen one at the bottom: only so do the places of the samples and the fill
+        rule agree with Processing's own frames.
+    version : int
+        Raised when size or samples change.
+    """
+
+    width: int
+    height: int
+    samples: int = 4
+    top_row_first: bool = True
+    version: int = 0
+
+    def resize(self, width: int, height: int, samples: int) -> None:
+        """Give the surface another size; what was drawn on it is lost."""
+        if (width, height, samples) != (self.width, self.height, self.samples):
+            self.width, self.height, self.samples = width, height, samples
+            self.version += 1

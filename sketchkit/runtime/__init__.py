@@ -1,0 +1,1 @@
+"""A sketch alive: loading, looping, the window, errors."""
