@@ -7,7 +7,7 @@ are added where it is reported.
 import difflib
 import re
 import reprlib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 
 class SketchError(Exception):
@@ -97,15 +97,10 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
 def shown(value: object) -> str:
     """Return `value` as a message shows it: as Python writes it, but short."""
     if isinstance(value, float):
-        return f"{value:.6g}" if value != int_or_self(value) else f"{value:.1f}"
-    if callable(value) and hasattr(value, "__name__"):
-        return str(value.__name__)
+        return repr(round(value, 4))
+    if callable(value):
+        return getattr(value, "__name__", "a function")
     return _short.repr(value)
-
-
-def int_or_self(value: float) -> float:
-    """Return a finite `value` cut off to a whole number; infinities and NaN as they are."""
-    return float(int(value)) if abs(value) < 1e15 else value
 
 
 _short = reprlib.Repr()
@@ -114,11 +109,55 @@ _short.maxstring = _short.maxother = 40
 
 def _counts(usage: str) -> set[int]:
     counts = set()
-    for form in usage.split(" | "):
-        required, *optional = (part.count(",") for part in form.split("["))
-        total = required + 1
-        counts.add(total)
-        for more in optional:
-            total += more
+    for form in filter(None, usage.split(" | ")):
+        total = 1
+        for part in form.split("["):
+            total += part.count(",")
             counts.add(total)
-    return counts
+    return counts or {0}
+
+
+def _either(counts: Sequence[int]) -> str:
+    *others, last = counts
+    return f"{', '.join(map(str, others))} or {last}" if others else str(last)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) or hasattr(value, "__float__")
+
+
+def _kind(value: object) -> str:
+    if value is None:
+        return "None"
+    if isinstance(value, str):
+        return "text"
+    if callable(value):
+        return "a function"
+    kind = type(value).__name__
+    return f"{'an' if kind[0] in 'aeiouAEIOU' else 'a'} {kind}"
+
+
+def _argument_name(usage: str, count: int, place: int) -> str:
+    for form in usage.split(" | "):
+        names = [name.strip(" ]") for name in form.replace("[", "").split(",")]
+        if len(names) == count:
+            return names[place]
+    return f"number {place + 1}"
+
+
+def _number_hint(value: object) -> str | None:
+    if value is None:
+        return "A function that ends without return gives None."
+    if isinstance(value, str) and re.fullmatch(r"\s*[-+]?\d+(\.\d*)?\s*", value):
+        return f"float({value!r}) makes a number of it."
+    if isinstance(value, list | tuple):
+        return "A list's numbers are taken one by one: values[0], values[1]."
+    if hasattr(value, "x") and hasattr(value, "y"):
+        return "A vector's numbers are v.x, v.y and v.z."
+    if callable(value):
+        return "Is there a pair of brackets missing?"
+    return None
+
+
+def _plain(name: str) -> str:
+    return name.replace("_", "").lower()

@@ -1,0 +1,139 @@
+"""What a sketch is made of: the only attributes that the groups of its methods may use."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import IntEnum
+from pathlib import Path
+from typing import Protocol
+
+from sketchkit.api.events import KeyEvent, MouseEvent
+from sketchkit.api.host import Host
+from sketchkit.core.clock import Clock
+from sketchkit.core.constants import P2D
+from sketchkit.draw.vertex import U8
+
+
+SMOOTH_SAMPLES = 4  # for each pixel; Processing's driver gives 4 for every level of smooth()
+
+
+class Canvas(Protocol):
+    """What a sketch asks of the surface it draws on."""
+
+    width: int
+    height: int
+
+    def resize(self, width: int, height: int, renderer_name: str, samples: int) -> None:
+        """Give the canvas another size; what was drawn is lost."""
+        ...
+
+    def begin_frame(self) -> None:
+        """Put back matrix, camera and lights."""
+        ...
+
+    def end_frame(self) -> None:
+        """Draw everything recorded so far."""
+        ...
+
+    def image_data(self) -> U8:
+        """Return the picture, (h, w, 4) RGBA, top row first."""
+        ...
+
+
+class Phase(IntEnum):
+    """How far a sketch has come: some functions make sense only up to a point."""
+
+    LOADING = 0  # the file's own lines are run
+    SETTINGS = 1
+    SETUP = 2
+    DRAW = 3
+
+
+@dataclass
+class Progress:
+    """Where a sketch is in its life.
+
+    Attributes
+    ----------
+    phase : Phase
+        What is being run.
+    frame_count : int
+        0 in `setup()`, 1 in the first `draw()`.
+    is_looping, is_redraw_due, is_finished : bool
+        Whether `draw()` is called again and again; once more; or never again.
+    wanted_rate, measured_rate : float
+        Frames a second, as asked for and as reached.
+    """
+
+    phase: Phase = Phase.LOADING
+    frame_count: int = 0
+    is_looping: bool = True
+    is_redraw_due: bool = True
+    is_finished: bool = False
+    wanted_rate: float = 60.0
+    measured_rate: float = 60.0
+    failures: list[BaseException] = field(default_factory=list)  # of threads; raised in the loop
+
+
+@dataclass
+class Format:
+    """The size and kind of canvas that the sketch has asked for."""
+
+    width: int = 100
+    height: int = 100
+    renderer: str = P2D
+    smoothing: int = 2  # 0: one sample for each pixel; else SMOOTH_SAMPLES
+
+
+@dataclass
+class Pointer:
+    """The mouse: where it is, where it was at the last `draw()` and at the last event."""
+
+    x: int = 0
+    y: int = 0
+    previous_x: int = 0
+    previous_y: int = 0
+    drawn_x: int = 0
+    drawn_y: int = 0
+    button: int = 0
+    is_pressed: bool = False
+    is_new: bool = True  # until it has been over the window
+    event: MouseEvent | None = None
+
+
+@dataclass
+class Keyboard:
+    """The keys: the last one, and those that are held."""
+
+    key: str = "\0"
+    code: int = 0
+    held: set[int] = field(default_factory=set)
+    event: KeyEvent | None = None
+
+
+class SketchParts:
+    """All the attributes there are. Groups add methods, never attributes.
+
+    `namespace` is what the student's file has defined, `handlers` those of its functions whose
+    names are values too; `_publish` is called when live values change in the middle of a function.
+    """
+
+    canvas: Canvas
+    progress: Progress
+    pointer: Pointer
+    keyboard: Keyboard
+    folder: Path
+    args: list[str]
+    namespace: Mapping[str, object]
+    handlers: Mapping[str, Callable[..., object]]
+    _format: Format
+    _host: Host
+    _clock: Clock
+    _publish: Callable[[], None]
+
+    def _reformat(self) -> None:
+        wanted = self._format
+        samples = SMOOTH_SAMPLES if wanted.smoothing else 1
+        self.canvas.resize(wanted.width, wanted.height, wanted.renderer, samples)
+        self._publish()

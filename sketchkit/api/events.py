@@ -1,0 +1,160 @@
+"""What a handler may ask about the event it was called for: `event.getCount()`, `event.isShiftDown()`.
+
+The numbers are Processing's own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """What mouse events and key events have in common.
+
+    Attributes
+    ----------
+    action : int
+        One of the constants of the class: `MouseEvent.PRESS`, `KeyEvent.TYPE`, ...
+    modifiers : int
+        The sum of `SHIFT`, `CTRL`, `META` and `ALT` for the keys held down.
+    millis : int
+        When it happened, as `millis()` counts.
+    """
+
+    SHIFT: ClassVar = 1
+    CTRL: ClassVar = 2
+    META: ClassVar = 4
+    ALT: ClassVar = 8
+    KEY: ClassVar = 1
+    MOUSE: ClassVar = 2
+    TOUCH: ClassVar = 3
+
+    action: int
+    modifiers: int = 0
+    millis: int = 0
+
+    def getAction(self) -> int:
+        """Return what happened, one of the constants of the class."""
+        return self.action
+
+    def getModifiers(self) -> int:
+        """Return which of Shift, Control, Meta and Alt were held, as a sum."""
+        return self.modifiers
+
+    def getMillis(self) -> int:
+        """Return when it happened, in milliseconds since the sketch began."""
+        return self.millis
+
+    def isShiftDown(self) -> bool:
+        """Return whether Shift was held."""
+        return bool(self.modifiers & Event.SHIFT)
+
+    def isControlDown(self) -> bool:
+        """Return whether Control was held."""
+        return bool(self.modifiers & Event.CTRL)
+
+    def isMetaDown(self) -> bool:
+        """Return whether the Command or Windows key was held."""
+        return bool(self.modifiers & Event.META)
+
+    def isAltDown(self) -> bool:
+        """Return whether Alt was held."""
+        return bool(self.modifiers & Event.ALT)
+
+
+@dataclass(frozen=True, slots=True)
+class MouseEvent(Event):
+    """A movement, a button or the wheel of the mouse.
+
+    Attributes
+    ----------
+    x, y : int, pixels
+        Where the pointer was.
+    button : int
+        `LEFT`, `CENTER`, `RIGHT`, or 0.
+    count : int
+        Clicks in a row; for the wheel, notches: positive downwards.
+    """
+
+    PRESS: ClassVar = 1
+    RELEASE: ClassVar = 2
+    CLICK: ClassVar = 3
+    DRAG: ClassVar = 4
+    MOVE: ClassVar = 5
+    ENTER: ClassVar = 6
+    EXIT: ClassVar = 7
+    WHEEL: ClassVar = 8
+
+    x: int = 0
+    y: int = 0
+    button: int = 0
+    count: int = 0
+
+    def getFlavor(self) -> int:
+        """Return `MouseEvent.MOUSE`."""
+        return Event.MOUSE
+
+    def getX(self) -> int:
+        """Return how far from the left the pointer was, in pixels."""
+        return self.x
+
+    def getY(self) -> int:
+        """Return how far from the top the pointer was, in pixels."""
+        return self.y
+
+    def getButton(self) -> int:
+        """Return `LEFT`, `CENTER`, `RIGHT`, or 0."""
+        return self.button
+
+    def getCount(self) -> int:
+        """Return the clicks in a row, or the notches of the wheel (positive downwards)."""
+        return self.count
+
+    def getClickCount(self) -> int:
+        """Return the clicks in a row; the older name of `getCount()`."""
+        return self.count
+
+    def getAmount(self) -> float:
+        """Return the notches of the wheel; the older name of `getCount()`."""
+        return float(self.count)
+
+
+@dataclass(frozen=True, slots=True)
+class KeyEvent(Event):
+    """A key that went down, came up, or typed a character.
+
+    Attributes
+    ----------
+    key : str
+        The character, or `CODED` for a key that has none.
+    keyCode : int
+        Which key it is: `LEFT`, `SHIFT`, ..., or the capital letter's number.
+    is_repeat : bool
+        Whether it comes from holding the key.
+    """
+
+    PRESS: ClassVar = 1
+    RELEASE: ClassVar = 2
+    TYPE: ClassVar = 3
+
+    key: str = "\0"
+    keyCode: int = 0
+    is_repeat: bool = False
+
+    def getFlavor(self) -> int:
+        """Return `KeyEvent.KEY`."""
+        return Event.KEY
+
+    def getKey(self) -> str:
+        """Return the character, or `CODED`."""
+        return self.key
+
+    def getKeyCode(self) -> int:
+        """Return which key it is, as `keyCode`."""
+        return self.keyCode
+
+    def isAutoRepeat(self) -> bool:
+        """Return whether the event comes from holding the key."""
+        return self.is_repeat

@@ -1,0 +1,153 @@
+"""Files that a sketch reads and writes, beside itself and in its `data` folder."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from sketchkit.api._sketch_parts import SketchParts
+from sketchkit.assets.output import picture_bytes, write_file
+from sketchkit.core.errors import SketchError, nearest, shown
+
+
+class Files(SketchParts):
+    """`loadStrings()`, `saveFrame()` and the like. Names without a folder mean the sketch's own."""
+
+    def loadStrings(self, filename: str) -> list[str]:
+        """Read a text file, as a list of its lines.
+
+        Parameters
+        ----------
+        filename : str
+            Looked for in the sketch's `data` folder, then beside the sketch.
+
+        Raises
+        ------
+        SketchError
+            If there is no such file, or it is not text in UTF-8.
+
+        See Also
+        --------
+        saveStrings
+
+        Examples
+        --------
+        >>> for line in loadStrings("poem.txt"):
+        ...     println(line)
+        """
+        path = self._existing("loadStrings", filename)
+        try:
+            return path.read_text(encoding="utf-8-sig").splitlines()
+        except UnicodeDecodeError:
+            raise SketchError(
+                f"{filename} is no text in UTF-8.", hint="Save it as UTF-8 in your editor."
+            ) from None
+
+    def saveStrings(self, filename: str, data: Iterable[object]) -> None:
+        """Write a text file, one line for each item of a list.
+
+        Parameters
+        ----------
+        filename : str
+            Written beside the sketch; folders that are missing are made.
+        data : list
+            What is no text is written as `str()` gives it.
+
+        See Also
+        --------
+        loadStrings
+
+        Examples
+        --------
+        >>> saveStrings("scores.txt", ["anna 12", "ben 9"])
+        """
+        lines = [f"{item}\n" for item in data]
+        write_file(Path(self.sketchPath(filename)), "".join(lines).encode())
+
+    def sketchPath(self, where: str = "") -> str:
+        """Return the sketch's folder, or the full path of a file in it.
+
+        Examples
+        --------
+        >>> println(sketchPath("notes.txt"))
+        """
+        return str(self.folder / where)
+
+    def dataPath(self, where: str = "") -> str:
+        """Return the sketch's `data` folder, or the full path of a file in it.
+
+        Examples
+        --------
+        >>> println(dataPath("cat.png"))
+        """
+        return str(self.folder / "data" / where)
+
+    def save(self, filename: str) -> None:
+        """Write what has been drawn so far as a picture.
+
+        Parameters
+        ----------
+        filename : str
+            Written beside the sketch. Its ending says the kind: `.png`, `.jpg`, `.tif`, `.tga`, ...;
+            without an ending it is a `.tif`.
+
+        Raises
+        ------
+        SketchError
+            If the ending is none of a picture.
+
+        See Also
+        --------
+        saveFrame
+
+        Examples
+        --------
+        >>> save("result.png")
+        """
+        path = Path(self.sketchPath(str(filename)))
+        if not path.suffix:
+            path = path.with_suffix(".tif")
+        write_file(path, picture_bytes(self.canvas.image_data()[:, :, :3], path.suffix))
+
+    def saveFrame(self, filename: str = "screen-####.tif") -> None:
+        """Write what has been drawn so far as a picture, with the frame's number in its name.
+
+        Parameters
+        ----------
+        filename : str
+            The `#` become `frameCount`, with zeros in front: `####` is 0001 at first.
+
+        See Also
+        --------
+        save
+
+        Examples
+        --------
+        >>> saveFrame("frames/spin-####.png")
+        """
+        self.save(numbered(str(filename), self.progress.frame_count))
+
+    def _existing(self, caller: str, filename: str) -> Path:
+        places = [self.folder / "data" / filename, self.folder / filename]
+        for path in places:
+            if path.is_file():
+                return path
+        files = [f.name for place in places if place.parent.is_dir() for f in place.parent.iterdir()]
+        known = nearest(Path(filename).name, files)
+        raise SketchError(
+            "There is no such file in the sketch's data folder, nor beside the sketch.",
+            got=f"{caller}({shown(filename)})",
+            hint=f"Do you mean {known!r}?" if known else None,
+        )
+
+
+def numbered(filename: str, frame: int) -> str:
+    """Return a file name in which the first run of `#` has become the frame's number.
+
+    Examples
+    --------
+    >>> numbered("spin-####.png", 7)
+    'spin-0007.png'
+    """
+    return re.sub("#+", lambda run: f"{frame:0{len(run.group())}}", filename, count=1)

@@ -1,0 +1,120 @@
+"""What a sketch may ask of the place where it is shown: a window, or none at all.
+
+`Host` is what the runtime offers; `PSurface` is what the sketch sees of it.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+
+class Host(Protocol):
+    """Where a sketch is shown. Lengths are in the sketch's own units."""
+
+    @property
+    def display_size(self) -> tuple[int, int]:
+        """Width and height of the screen."""
+        ...
+
+    @property
+    def position(self) -> tuple[int, int]:
+        """Left and top edge of the window on the screen."""
+        ...
+
+    @property
+    def is_focused(self) -> bool:
+        """Whether keys go to the window."""
+        ...
+
+    def set_size(self, width: int, height: int) -> None:
+        """Follow the canvas, which has got another size."""
+        ...
+
+    def set_fullscreen(self) -> None:
+        """Cover the screen."""
+        ...
+
+    def set_title(self, title: str) -> None:
+        """Write on the window's edge."""
+        ...
+
+    def set_position(self, x: int, y: int) -> None:
+        """Move the window."""
+        ...
+
+    def set_resizable(self, is_resizable: bool) -> None:
+        """Let the user change the window's size, or not."""
+        ...
+
+    def set_visible(self, is_visible: bool) -> None:
+        """Show the window, or hide it."""
+        ...
+
+    def set_cursor(self, kind: int | None) -> None:
+        """Show the pointer as `ARROW`, `CROSS`, `HAND`, `MOVE`, `TEXT` or `WAIT`; None hides it."""
+        ...
+
+
+class NoWindow:
+    """A host that shows nothing: the screen is always the same, and what is set has no effect."""
+
+    display_size = (1920, 1080)
+    position = (0, 0)
+    is_focused = False
+
+    def set_size(self, width: int, height: int) -> None:
+        """Do nothing."""
+
+    def set_fullscreen(self) -> None:
+        """Do nothing."""
+
+    def set_title(self, title: str) -> None:
+        """Do nothing."""
+
+    def set_position(self, x: int, y: int) -> None:
+        """Do nothing."""
+
+    def set_resizable(self, is_resizable: bool) -> None:
+        """Do nothing."""
+
+    def set_visible(self, is_visible: bool) -> None:
+        """Do nothing."""
+
+    def set_cursor(self, kind: int | None) -> None:
+        """Do nothing."""
+
+
+class Resizes(Protocol):
+    """The sketch, as the surface sees it."""
+
+    def windowResize(self, newWidth: float, newHeight: float) -> None:
+        """Give canvas and window another size."""
+        ...
+
+
+class PSurface:
+    """The window, as `surface.setTitle("Spinning")`; also known as `frame`."""
+
+    def __init__(self, host: Host, sketch: Resizes) -> None:
+        self._host = host
+        self._sketch = sketch
+
+    def setTitle(self, title: str) -> None:
+        """Write a text on the window's edge."""
+        self._host.set_title(str(title))
+
+    def setSize(self, width: float, height: float) -> None:
+        """Give the window another size."""
+        self._sketch.windowResize(width, height)
+
+    def setLocation(self, x: float, y: float) -> None:
+        """Move the window's left and top edge to a place on the screen."""
+        self._host.set_position(int(x), int(y))
+
+    def setResizable(self, resizable: bool) -> None:
+        """Let the user drag the window to another size, or not."""
+        self._host.set_resizable(bool(resizable))
+
+    def setVisible(self, visible: bool) -> None:
+        """Show the window, or hide it."""
+        self._host.set_visible(bool(visible))

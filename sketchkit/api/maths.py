@@ -1,0 +1,56 @@
+"""Maths: the functions on numbers that every sketch sees, joined from three files."""
+
+from sketchkit.api.maths_calculation import (
+    ceil,
+    constrain,
+    dist,
+    exp,
+    floor,
+    lerp,
+    log,
+    mag,
+    norm,
+    sq,
+    sqrt,
+)
+from sketchkit.api.maths_overlaps import abs, map, max, min, pow, round
+from sketchkit.api.maths_trigonometry import (
+    acos,
+    asin,
+    atan,
+    atan2,
+    cos,
+    degrees,
+    radians,
+    sin,
+    tan,
+)
+
+__all__ = [
+    "abs",
+    "acos",
+    "asin",
+    "atan",
+    "atan2",
+    "ceil",
+    "constrain",
+    "cos",
+    "degrees",
+    "dist",
+    "exp",
+    "floor",
+    "lerp",
+    "log",
+    "mag",
+    "map",
+    "max",
+    "min",
+    "norm",
+    "pow",
+    "radians",
+    "round",
+    "sin",
+    "sq",
+    "sqrt",
+    "tan",
+]

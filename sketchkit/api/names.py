@@ -1,0 +1,102 @@
+"""Every name that a sketch sees without importing it, and where it comes from.
+
+The runtime puts them under the sketch's own names, `stubs.py` writes them down for editors, and
+errors look for the nearest of them.
+"""
+
+from __future__ import annotations
+
+import builtins
+from collections.abc import Iterable, Mapping
+from types import ModuleType
+
+from sketchkit.api import maths, strings
+from sketchkit.api.events import KeyEvent, MouseEvent
+from sketchkit.api.host import PSurface
+from sketchkit.api.live import live_names
+from sketchkit.api.overlaps import opener, overlaps
+from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
+from sketchkit.api.pvector import PVector
+from sketchkit.api.sketch import Sketch
+from sketchkit.core import constants
+
+CLASSES: tuple[type, ...] = (KeyEvent, MouseEvent, PMatrix2D, PMatrix3D, PSurface, PVector)
+
+# Methods of a canvas that are not functions of the sketch, for its main canvas is always begun.
+OF_A_CANVAS_ALONE = frozenset({"beginDraw", "endDraw", "resize", "dispose"})
+
+Names = dict[str, object]
+
+
+class TwinNames(Exception):
+    """Two groups define the same name, so that a sketch would see only one of the two."""
+
+
+def names_of(sketch: Sketch) -> Names:
+    """Return the names of a sketch and what they stand for; live values as they are now."""
+    return joined(groups_of(sketch)) | live_values(sketch)
+
+
+def groups_of(sketch: Sketch) -> dict[str, Names]:
+    """Return the names that stay the same as long as the sketch lives, by where they come from."""
+    canvas = sketch.canvas
+    both = overlaps(canvas)
+    return {
+        "canvas": {
+            name: value
+            for name, value in _public(canvas).items()
+            if name not in both and name not in OF_A_CANVAS_ALONE and callable(value)
+        },
+        "sketch": _without(_public(sketch), live_names(type(sketch))),
+        "itself": {"this": sketch, "g": canvas, "args": sketch.args},
+        "overlaps": {**both, "open": opener(sketch.folder)},
+        "maths": _exported(maths),
+        "strings": _exported(strings),
+        "constants": {n: v for n, v in vars(constants).items() if n.isupper()},
+        "classes": {kind.__name__: kind for kind in (*CLASSES, type(canvas))},
+    }
+
+
+def joined(groups: Mapping[str, Names]) -> Names:
+    """Return all names in one dictionary.
+
+    Raises
+    ------
+    TwinNames
+        If a name is in two groups.
+    """
+    names: Names = {}
+    for group, members in groups.items():
+        if twins := sorted(names.keys() & members.keys()):
+            raise TwinNames(f"{group} has names that another group has too: {', '.join(twins)}")
+        names |= members
+    return names
+
+
+def live_values(sketch: Sketch) -> Names:
+    """Return the names whose values change, with their present values."""
+    return {name: getattr(sketch, name) for name in live_names(type(sketch))} | {
+        name: getattr(sketch.canvas, name) for name in live_names(type(sketch.canvas))
+    }
+
+
+def python_names() -> Names:
+    """Return Python's own names, which a sketch sees as well."""
+    return dict(vars(builtins))
+
+
+def _public(owner: object) -> Names:
+    """Return the methods and properties under Processing's names: ours have underscores in them."""
+    return {
+        name: getattr(owner, name)
+        for name in dir(type(owner))
+        if "_" not in name and not isinstance(getattr(type(owner), name), type)
+    }
+
+
+def _without(names: Names, excluded: Iterable[str]) -> Names:
+    return {name: value for name, value in names.items() if name not in set(excluded)}
+
+
+def _exported(module: ModuleType) -> Names:
+    return {name: getattr(module, name) for name in module.__all__}

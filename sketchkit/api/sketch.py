@@ -1,0 +1,87 @@
+"""Sketch: a sketch alive. It owns the canvas, the clock, the random numbers, mouse and keys."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sketchkit.api._sketch_parts import Canvas, Format, Keyboard, Pointer, Progress
+from sketchkit.api.dates import Dates
+from sketchkit.api.environment import Environment
+from sketchkit.api.files import Files
+from sketchkit.api.host import Host, NoWindow
+from sketchkit.api.input import Input
+from sketchkit.api.looping import Looping
+from sketchkit.api.pvector import use_random
+from sketchkit.api.randomness import Randomness
+from sketchkit.api.windows import Windows
+from sketchkit.core.clock import Clock, VirtualClock
+from sketchkit.core.noise import PerlinNoise
+from sketchkit.core.rng import JavaRandom
+
+
+class Sketch(Environment, Looping, Input, Windows, Files, Randomness, Dates):
+    """What is the same in all of a sketch's functions; the sketch itself knows it as `this`.
+
+    Parameters
+    ----------
+    canvas : PGraphics
+        What it draws on.
+    clock : Clock
+        What time it is.
+    host : Host
+        Where it is shown.
+    folder : Path
+        Where its file lies.
+    args : list of str
+        What was written behind its name on the command line.
+    seed : int
+        Where its random numbers and its noise begin.
+    """
+
+    def __init__(
+        self,
+        canvas: Canvas,
+        *,
+        clock: Clock | None = None,
+        host: Host | None = None,
+        folder: Path | None = None,
+        args: Sequence[str] = (),
+        seed: int = 0,
+    ) -> None:
+        self.canvas = canvas
+        self.progress = Progress()
+        self.pointer = Pointer()
+        self.keyboard = Keyboard()
+        self.folder = folder or Path.cwd()
+        self.args = list(args)
+        self.namespace = {}
+        self.handlers = {}
+        self._format = Format()
+        self._host = host or NoWindow()
+        self._clock = clock or VirtualClock()
+        self._random = JavaRandom(seed)
+        self._noise = PerlinNoise(seed)
+        self._publish = _nothing
+
+    def start_without_smoothing(self) -> None:
+        """Begin as if `noSmooth()` had been called."""
+        self._format.smoothing = 0
+        self._reformat()
+
+    def take_over(self) -> None:
+        """Become the sketch whose `randomSeed()` rules what belongs to none: `PVector.random2D()`."""
+        use_random(self._random)
+
+    if not TYPE_CHECKING:  # a checker must still find misspelt attributes
+
+        def __getattr__(self, name: str) -> object:
+            """Give `this.rect` as `rect`."""
+            if name.startswith("_"):
+                raise AttributeError(name, name=name, obj=self)
+            return getattr(self.canvas, name)
+
+
+def _nothing() -> None:
+    """Stand in for the runtime, which publishes live values."""

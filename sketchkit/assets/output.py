@@ -1,0 +1,61 @@
+"""What a sketch writes: a file appears whole, or not at all."""
+
+from __future__ import annotations
+
+import io
+import os
+import tempfile
+from pathlib import Path
+
+from sketchkit.core.errors import SketchError
+from sketchkit.draw.vertex import U8
+
+# What a file's ending means to Pillow, and how it is told to write it.
+PICTURES: dict[str, tuple[str, dict[str, int]]] = {
+    ".png": ("PNG", {"compress_level": 1}),
+    ".jpg": ("JPEG", {"quality": 95}),
+    ".jpeg": ("JPEG", {"quality": 95}),
+    ".tif": ("TIFF", {}),
+    ".tiff": ("TIFF", {}),
+    ".tga": ("TGA", {}),
+    ".bmp": ("BMP", {}),
+    ".gif": ("GIF", {}),
+    ".webp": ("WEBP", {}),
+}
+
+
+def write_file(path: Path, data: bytes) -> None:
+    """Write a file, and the folders that it lies in.
+
+    The data goes to a new file beside it first, which then takes its name: a reader never sees
+    half of it, and what was there stays if the disk is full.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+    try:
+        with open(handle, "wb") as file:
+            file.write(data)
+        os.chmod(name, 0o666 & ~_umask())
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def picture_bytes(pixels: U8, suffix: str) -> bytes:
+    """Return pixels, (h, w, 3 or 4) uint8, as a file of the kind that ends in `suffix`."""
+    from PIL import Image  # 40 ms to import, and most sketches write no picture
+
+    if suffix.lower() not in PICTURES:
+        kinds = ", ".join(sorted(PICTURES))
+        raise SketchError(f"A picture's file name ends in one of {kinds}.", got=repr(suffix))
+    kind, options = PICTURES[suffix.lower()]
+    file = io.BytesIO()
+    Image.fromarray(pixels).save(file, kind, **options)
+    return file.getvalue()
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,0 +1,150 @@
+"""Frames: the samples of a target, and how a picture is made of them.
+
+Rows are in the order of the frame's own buffer, which for offscreen targets begins at the bottom
+of the picture (see draw/resources.py).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.draw.pipeline import Clip
+from sketchkit.draw.resources import Target
+from sketchkit.draw.vertex import U8
+
+I64 = NDArray[np.int64]
+
+SUBPIXELS = 256  # per pixel; GL rasterisers round vertices to this grid
+DEPTH_BITS = 24
+FARTHEST = (1 << DEPTH_BITS) - 1
+NO_TRIANGLE = 0xFFFFFFFF
+
+
+class SampleGrid(NamedTuple):
+    """Where in a pixel its samples lie.
+
+    Attributes
+    ----------
+    shift : pixels
+        Taken from all window coordinates before anything else, so that with one sample a whole
+        number is the centre of a pixel. With four it is the pixel's corner.
+    places : (x, y) of each sample, pixels
+    centre : pixels
+        Where, in x and in y, colours are evaluated.
+    """
+
+    shift: float
+    places: tuple[tuple[float, float], ...]
+    centre: float
+
+
+_GRIDS = {
+    1: SampleGrid(0.5, ((0.0, 0.0),), 0.0),
+    # Mesa's places; Processing's frames are made with them (oracle README, Rasterisation).
+    4: SampleGrid(0.0, ((0.375, 0.125), (0.875, 0.375), (0.125, 0.625), (0.625, 0.875)), 0.5),
+}
+
+
+class Window(NamedTuple):
+    """A part of a frame, in its own rows: the right and the bottom are outside."""
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether no pixel is inside."""
+        return self.left >= self.right or self.top >= self.bottom
+
+    def meet(self, left: float, top: float, right: float, bottom: float) -> Window:
+        """Return what of the window is also inside the given edges, widened to whole pixels."""
+        return Window(
+            max(self.left, int(np.floor(left))),
+            max(self.top, int(np.floor(top))),
+            min(self.right, int(np.ceil(right))),
+            min(self.bottom, int(np.ceil(bottom))),
+        )
+
+
+class Frame:
+    """What a target holds.
+
+    Attributes
+    ----------
+    colors : (samples, height, width, 4) uint8
+    version : int
+        The target's, when the frame was made.
+    grid : SampleGrid
+    """
+
+    def __init__(self, target: Target) -> None:
+        self.version = target.version
+        self.grid = _GRIDS[target.samples]
+        self.is_top_row_first = target.top_row_first
+        self.colors: U8 = np.zeros((target.samples, target.height, target.width, 4), np.uint8)
+        self._depths: I64 | None = None
+
+    @property
+    def samples(self) -> int:
+        """How many samples a pixel has."""
+        return self.colors.shape[0]
+
+    @property
+    def height(self) -> int:
+        """Rows of pixels."""
+        return self.colors.shape[1]
+
+    @property
+    def width(self) -> int:
+        """Columns of pixels."""
+        return self.colors.shape[2]
+
+    @property
+    def depths(self) -> I64:
+        """Return (samples, height, width): depth times 2**32, and below that NO_TRIANGLE.
+
+        The lower half is free for `visibility` to note which triangle is nearest: the least of two
+        such numbers is the nearer one. Made when first asked for: most 2D sketches never do.
+        """
+        if self._depths is None:
+            self._depths = np.full(self.colors.shape[:3], FARTHEST << 32 | NO_TRIANGLE)
+        return self._depths
+
+    def clear(self, color: tuple[int, int, int, int], *, depth: bool) -> None:
+        """Give every sample a colour and, if `depth`, make everything farthest."""
+        self.colors[...] = color
+        if depth:
+            self._depths = None
+
+    def window(self, clip: Clip | None) -> Window:
+        """Return what a clip, given from the top of the picture, leaves of the frame."""
+        whole = Window(0, 0, self.width, self.height)
+        if clip is None:
+            return whole
+        top = clip.top if self.is_top_row_first else self.height - clip.top - clip.height
+        return whole.meet(clip.left, top, clip.left + clip.width, top + clip.height)
+
+    def picture(self) -> U8:
+        """Return the average of the samples, (height, width, 4), top row of the picture first."""
+        averages = self.colors[0].copy()
+        packed = self.colors.view(np.uint32)[..., 0]
+        mixed = np.nonzero((packed[1:] != packed[0]).any(axis=0))
+        averages[mixed] = _average(self.colors[:, *mixed])
+        return averages if self.is_top_row_first else averages[::-1].copy()
+
+
+def _average(samples: U8) -> U8:
+    """Return the mean over the first axis.
+
+    In float32 and one after the other, as Mesa does: a mean that lies half-way between two whole
+    numbers then falls to the same side.
+    """
+    total = np.zeros(samples.shape[1:], np.float32)
+    for sample in samples:
+        total += sample * np.float32(1 / 255)
+    return np.rint(total * np.float32(255 / len(samples))).astype(np.uint8)

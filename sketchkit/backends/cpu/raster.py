@@ -1,0 +1,127 @@
+"""Rasterisation: which samples of the frame lie inside which triangles.
+
+A triangle crosses a row of samples in one run. Where the run begins and ends follows from its
+three edges by a division; so the work is a few operations for each row of a triangle, not for
+each pixel of its bounding box. Exact: the edge functions are whole numbers below 2**53.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from sketchkit.backends.cpu.frames import SUBPIXELS, Frame, SampleGrid, Window
+from sketchkit.backends.cpu.triangles import F64, I64, Triangles
+
+ROWS_AT_ONCE = 1 << 15
+PIXELS_AT_ONCE = 1 << 16  # what fits the processor's cache
+
+
+class Spans(NamedTuple):
+    """Runs of samples, one for each row of each triangle, in the order of the triangles.
+
+    Attributes
+    ----------
+    triangle, row : (m,) int64
+    left, right : (samples, m) int64
+        Columns of the pixels whose sample is inside; `right` is the first one that is not.
+    """
+
+    triangle: I64
+    row: I64
+    left: I64
+    right: I64
+
+
+class Samples(NamedTuple):
+    """Samples of one plane of the frame that triangles cover; arrays are (k,).
+
+    Attributes
+    ----------
+    address : int64
+        Of the sample in an array (samples, height, width).
+    """
+
+    address: I64
+    span: I64
+    column: I64
+
+
+class _Edges(NamedTuple):
+    """The edges of triangles: a * x + b * y + c > 0 inside, 1/256 px; (3, n) each.
+
+    c ends in a half, so that a place on the grid is never on an edge: it belongs to the triangle
+    that has the edge on its left or at its top, as OpenGL has it. The edges are sorted by a: the
+    first has the inside to its right, the last to its left.
+    """
+
+    a: F64
+    b: F64
+    c: F64
+
+
+def rasterize(triangles: Triangles, window: Window, grid: SampleGrid) -> Iterator[Spans]:
+    """Yield the spans of triangles inside a window, some at a time."""
+    edges = _edges(triangles)
+    places = np.rint(np.array(grid.places) * SUBPIXELS)
+    highest, lowest = places[:, 1].max(), places[:, 1].min()
+    top = np.ceil((triangles.grid_y.min(axis=0) - highest) / SUBPIXELS)
+    bottom = np.floor((triangles.grid_y.max(axis=0) - lowest) / SUBPIXELS) + 1
+    top, bottom = np.maximum(top, window.top), np.minimum(bottom, window.bottom)
+    rows = np.maximum(bottom - top, 0).astype(np.int64)
+    for part in batches(rows, ROWS_AT_ONCE):
+        counts = rows[part]
+        triangle = np.repeat(np.arange(len(triangles))[part], counts)
+        row = np.repeat(top[part].astype(np.int64), counts) + ramps(counts)
+        left, right = _runs(_Edges(*(e[:, part] for e in edges)), counts, row, places)
+        np.clip(left, window.left, window.right, out=left)
+        np.clip(right, left, window.right, out=right)
+        spans = Spans(triangle, row, left.astype(np.int64), right.astype(np.int64))
+        for some in batches((right - left).max(axis=0).astype(np.int64), PIXELS_AT_ONCE):
+            yield Spans(*(column[..., some] for column in spans))
+
+
+def batches(costs: I64, limit: int) -> Iterator[slice]:
+    """Yield slices of a sequence that cost about `limit` each, and at least one item."""
+    total = np.cumsum(costs)
+    first = 0
+    while first < len(costs):
+        spent = total[first - 1] if first else 0
+        last = max(int(np.searchsorted(total, spent + limit, side="right")), first + 1)
+        yield slice(first, last)
+        first = last
+
+
+def ramps(counts: I64) -> I64:
+    """Return 0, 1, 2 ... anew for each count."""
+    ends = np.cumsum(counts)
+    return np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)
+
+
+def _edges(triangles: Triangles) -> _Edges:
+    x, y = triangles.grid_x, triangles.grid_y
+    next_x, next_y = np.roll(x, -1, axis=0), np.roll(y, -1, axis=0)
+    a, b = next_y - y, x - next_x
+    is_inside = (a > 0) | ((a == 0) & (b > 0))
+    c = -(a * x + b * y) + np.where(is_inside, 0.5, -0.5)
+    order = np.argsort(-a, axis=0)
+    return _Edges(*(np.take_along_axis(column, order, axis=0) for column in (a, b, c)))
+
+
+def _runs(edges: _Edges, counts: I64, row: I64, places: F64) -> tuple[F64, F64]:
+    """Return where runs begin and end, (samples, m): whole numbers, or infinite."""
+    y = row * float(SUBPIXELS)
+    crossings = []
+    for a, b, c in zip(*edges, strict=True):
+        slope, shift = np.repeat(a, counts), np.repeat(b, counts)
+        value = np.repeat(c, counts) + shift * y
+        at_places = np.stack([value + (slope * px + shift * py) for px, py in places])
+        with np.errstate(divide="ignore"):
+            crossings.append(at_places / (slope * -SUBPIXELS))
+    first, middle, last = crossings
+    is_left = np.repeat(edges.a[1] >= 0, counts)
+    left = np.ceil(np.maximum(first, np.where(is_left, middle, -np.inf)))
+    right = np.ceil(np.minimum(last, np.where(is_left, np.inf, middle)))
+    return left, right

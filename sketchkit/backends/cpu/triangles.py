@@ -1,0 +1,124 @@
+"""Set-up: triangles on the frame, their edges as exact integers and their values as planes.
+
+The arithmetic is Mesa's: what is fused, and at which corner a triangle begins. The planes of thin
+triangles depend on it visibly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.backends.cpu.frames import SUBPIXELS, Frame
+from sketchkit.draw.vertex import F32
+
+F64 = NDArray[np.float64]
+I64 = NDArray[np.int64]
+
+
+class Planes(NamedTuple):
+    """Values that change evenly over a triangle: a row a triangle, a column a value.
+
+    Attributes
+    ----------
+    origin : (n, c) float32
+        At place (0, 0) of the frame.
+    per_x, per_y : (n, c) float32
+        The change from one pixel to the next.
+    """
+
+    origin: F32
+    per_x: F32
+    per_y: F32
+
+    def at(self, triangle: I64, x: F64, y: F64) -> F32:
+        """Return the values of triangles at places in the frame, (k, c)."""
+        along_row = fused(self.per_x[triangle], x[:, None], self.origin[triangle])
+        return fused(self.per_y[triangle], y[:, None], along_row)
+
+
+@dataclass
+class Triangles:
+    """Triangles on a frame, in the order in which they are drawn.
+
+    Attributes
+    ----------
+    grid_x, grid_y : (3, n) float64, 1/256 px
+        The corners, rounded to whole numbers.
+    x, y : (3, n) float32, pixels
+        The corners before that; the planes go through these.
+    depths : (3, n) float32
+        0 (near) to 1, at the corners.
+    reciprocal_w : (3, n) float32
+    varyings : (3, n, k) float32
+    is_front : (n,) bool
+        Whether the front is seen: the corners run clockwise on the picture.
+    """
+
+    grid_x: F64
+    grid_y: F64
+    x: F32
+    y: F32
+    depths: F32
+    reciprocal_w: F32
+    varyings: F32
+    is_front: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return self.grid_x.shape[1]
+
+    @cached_property
+    def depth_planes(self) -> Planes:
+        """Return depth, one column."""
+        return self.planes(self.depths[..., None])
+
+    def planes(self, values: F32) -> Planes:
+        """Return the planes through values at the corners, (3, n, c)."""
+        x, y = self.x[..., None], self.y[..., None]
+        from_second_x, from_second_y = x[0] - x[1], y[0] - y[1]
+        to_third_x, to_third_y = x[2] - x[0], y[2] - y[0]
+        area = from_second_x * to_third_y - from_second_y * to_third_x
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            per_area = 1 / area
+            from_second, to_third = values[0] - values[1], values[2] - values[0]
+            per_x = from_second * (to_third_y * per_area) - to_third * (from_second_y * per_area)
+            per_y = to_third * (from_second_x * per_area) - from_second * (to_third_x * per_area)
+            return Planes(values[0] - (per_x * x[0] + per_y * y[0]), per_x, per_y)
+
+
+def set_up(corners: F32, frame: Frame) -> Triangles:
+    """Return clipped triangles, (n, 3, 4 + k), on a frame; those without area are left out.
+
+    Clip space is the frame's own here: its +y is where rows count to.
+    """
+    columns = np.ascontiguousarray(corners.transpose(2, 1, 0))  # (4 + k, 3, n)
+    reciprocal_w = 1 / columns[3]
+    half_size = np.array([frame.width, frame.height, 1], np.float32)[:, None, None] / 2
+    x, y, depths = fused(columns[:3] * reciprocal_w, half_size, half_size)
+    x, y = x - np.float32(frame.grid.shift), y - np.float32(frame.grid.shift)
+    grid_x, grid_y = (np.rint(places * np.float32(SUBPIXELS)).astype(float) for places in (x, y))
+    area = _twice_area(grid_x, grid_y)
+    kept = np.flatnonzero(area)
+    is_clockwise = area[kept] > 0  # as rows count downwards
+    first = np.where(is_clockwise, 1, 0)
+    order = np.stack([first, 1 - first, np.full_like(first, 2)]), kept
+    return Triangles(
+        *(column[order] for column in (grid_x, grid_y, x, y, depths, reciprocal_w)),
+        varyings=columns[4:].transpose(1, 2, 0)[order],
+        is_front=is_clockwise == frame.is_top_row_first,
+    )
+
+
+def fused(a: F32, b: F32 | F64, c: F32) -> F32:
+    """Return a * b + c, rounded once: the product of two float32 is exact in float64."""
+    total: F32 = (a * np.asarray(b, np.float64) + c).astype(np.float32)
+    return total
+
+
+def _twice_area(x: F64, y: F64) -> F64:
+    area: F64 = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
+    return area

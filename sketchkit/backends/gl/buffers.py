@@ -1,0 +1,111 @@
+"""Buffers: a list's vertex columns on the GPU, bound to the programs that read them."""
+
+from __future__ import annotations
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.backends.gl.programs import COLUMNS
+from sketchkit.draw.pipeline import Program
+from sketchkit.draw.vertex import Layer, VertexBlock
+
+RING = 3  # as many copies, used in turn: the driver may still be drawing from the last ones
+SMALLEST = 1 << 12
+
+# Name in the shaders, format, and where a block keeps it.
+_FORMATS: dict[str, str] = {
+    "position": "3f4",
+    "color": "4f1",
+    "uv": "2f4",
+    "normal": "3f4",
+    "ambient": "4f1",
+    "specular": "4f1",
+    "emissive": "4f1",
+    "shininess": "1f4",
+    "direction": "4f4",
+    "offset": "2f4",
+}
+
+
+def columns_of(block: VertexBlock) -> dict[str, NDArray[np.generic]]:
+    """Return the columns that a block has, by their names in the shaders."""
+    columns: dict[str, NDArray[np.generic] | None] = {
+        "position": block.positions,
+        "color": block.colors,
+        "uv": block.uvs,
+        "normal": block.normals,
+        "direction": block.directions,
+        "offset": block.offsets,
+    }
+    if block.materials is not None:
+        columns |= {
+            "ambient": block.materials.ambient,
+            "specular": block.materials.specular,
+            "emissive": block.materials.emissive,
+            "shininess": block.materials.shininess,
+        }
+    return {name: column for name, column in columns.items() if column is not None}
+
+
+class _LayerBuffers:
+    """The buffers of one layer; they only grow."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self._context = context
+        self._buffers: dict[str, moderngl.Buffer] = {}
+        self._arrays: dict[Program, moderngl.VertexArray] = {}
+
+    def upload(self, block: VertexBlock) -> None:
+        """Write a block's columns and indices."""
+        for name, column in {**columns_of(block), "index": block.indices}.items():
+            buffer = self._buffers.get(name)
+            if buffer is None or buffer.size < column.nbytes:
+                size = max(SMALLEST, 1 << (column.nbytes - 1).bit_length()) if column.nbytes else 0
+                self._replace(name, max(size, SMALLEST))
+                buffer = self._buffers[name]
+            buffer.write(np.ascontiguousarray(column))
+
+    def _replace(self, name: str, size: int) -> None:
+        """Make a buffer anew, and with it whatever was bound to the old one."""
+        for array in self._arrays.values():
+            array.release()
+        self._arrays.clear()
+        if name in self._buffers:
+            self._buffers[name].release()
+        self._buffers[name] = self._context.buffer(reserve=size, dynamic=True)
+
+    def array(self, program: Program, compiled: moderngl.Program) -> moderngl.VertexArray:
+        """Return the columns that a program reads, bound to it."""
+        if program not in self._arrays:
+            names = ("position", "color", *COLUMNS[program])
+            # A column that the compiler found unused is not bound.
+            content = [
+                (self._buffers[name], _FORMATS[name], name) for name in names if name in compiled
+            ]
+            self._arrays[program] = self._context.vertex_array(
+                compiled, content, index_buffer=self._buffers["index"], index_element_size=4
+            )
+        return self._arrays[program]
+
+
+class Buffers:
+    """The vertices of the list that is being drawn."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self._ring = [
+            {layer: _LayerBuffers(context) for layer in Layer} for _ in range(RING)
+        ]
+        self._turn = 0
+
+    def upload(self, blocks: dict[Layer, VertexBlock]) -> None:
+        """Write the blocks of a list."""
+        self._turn = (self._turn + 1) % RING
+        for layer, block in blocks.items():
+            self._ring[self._turn][layer].upload(block)
+
+    def array(
+        self, layer: Layer, program: Program, compiled: moderngl.Program
+    ) -> moderngl.VertexArray:
+        """Return a layer's columns bound to a program."""
+        return self._ring[self._turn][layer].array(program, compiled)

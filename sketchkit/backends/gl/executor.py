@@ -1,0 +1,174 @@
+"""GlBackend: carries out draw lists with OpenGL 3.3."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import moderngl
+
+from sketchkit.backends.gl.buffers import Buffers
+from sketchkit.backends.gl.context import headless_context, window_context
+from sketchkit.backends.gl.programs import Programs, compile_pair, set_uniforms
+from sketchkit.backends.gl.targets import Surfaces
+from sketchkit.backends.gl.textures import Textures
+from sketchkit.draw.commands import Clear, Draw, DrawList
+from sketchkit.draw.pipeline import Blend, Pipeline
+from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.vertex import U8
+
+
+class _BlendRule(NamedTuple):
+    """How a source and what is there already make a pixel: factors and equation of the colours.
+
+    Alphas are added in every mode but REPLACE.
+    """
+
+    source: int
+    destination: int
+    equation: int = moderngl.FUNC_ADD
+
+
+_BLEND_RULES: dict[Blend, _BlendRule] = {
+    Blend.REPLACE: _BlendRule(moderngl.ONE, moderngl.ZERO),
+    Blend.BLEND: _BlendRule(moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA),
+    Blend.ADD: _BlendRule(moderngl.SRC_ALPHA, moderngl.ONE),
+    Blend.SUBTRACT: _BlendRule(moderngl.SRC_ALPHA, moderngl.ONE, moderngl.FUNC_REVERSE_SUBTRACT),
+    Blend.LIGHTEST: _BlendRule(moderngl.ONE, moderngl.ONE, moderngl.MAX),
+    Blend.DARKEST: _BlendRule(moderngl.ONE, moderngl.ONE, moderngl.MIN),
+    Blend.EXCLUSION: _BlendRule(moderngl.ONE_MINUS_DST_COLOR, moderngl.ONE_MINUS_SRC_COLOR),
+    Blend.MULTIPLY: _BlendRule(moderngl.ZERO, moderngl.SRC_COLOR),
+    Blend.SCREEN: _BlendRule(moderngl.ONE_MINUS_DST_COLOR, moderngl.ONE),
+}
+
+
+class GlBackend:
+    """Draws with the graphics card, or with a driver in software that stands in for one."""
+
+    name = "gl"
+
+    def __init__(self, context: moderngl.Context, origin: str) -> None:
+        self.context = context
+        self.origin = origin
+        self._programs = Programs(context)
+        self._buffers = Buffers(context)
+        self._surfaces = Surfaces(context)
+        self._textures = Textures(context)
+        self._show: moderngl.VertexArray | None = None
+
+    @classmethod
+    def headless(cls) -> GlBackend:
+        """Return a backend without a window.
+
+        Raises
+        ------
+        NoContext
+            If no OpenGL 3.3 can be had.
+        """
+        return cls(*headless_context())
+
+    @classmethod
+    def for_window(cls) -> GlBackend:
+        """Return a backend for the window whose context is current.
+
+        Raises
+        ------
+        NoContext
+            If the window has less than OpenGL 3.3.
+        """
+        return cls(window_context(), "window")
+
+    def describe(self) -> dict[str, str]:
+        """Return vendor, renderer and version, and where the context comes from."""
+        info = self.context.info
+        return {
+            "context": self.origin,
+            "vendor": info["GL_VENDOR"],
+            "renderer": info["GL_RENDERER"],
+            "version": info["GL_VERSION"],
+        }
+
+    def execute(self, commands: DrawList) -> None:
+        """Carry out the commands in order."""
+        self._buffers.upload(commands.blocks)
+        bound: Pipeline | None = None
+        for command in commands.commands:
+            if isinstance(command, Clear):
+                self._clear(command)
+                bound = None
+            else:
+                if command.pipeline != bound:
+                    self._bind(command.pipeline)
+                    bound = command.pipeline
+                self._draw(command)
+
+    def _clear(self, command: Clear) -> None:
+        framebuffer = self._surfaces.get(command.target).framebuffer
+        framebuffer.scissor = None
+        framebuffer.depth_mask = command.depth
+        red, green, blue, alpha = (channel / 255 for channel in command.color)
+        framebuffer.clear(red, green, blue, alpha, depth=1.0)
+
+    def _bind(self, pipeline: Pipeline) -> None:
+        context, target = self.context, pipeline.target
+        framebuffer = self._surfaces.get(target).framebuffer
+        framebuffer.use()
+        framebuffer.depth_mask = pipeline.depth_write
+        framebuffer.scissor = _scissor(pipeline)
+        (context.enable if pipeline.depth_test else context.disable)(moderngl.DEPTH_TEST)
+        context.depth_func = "<="
+        # Clockwise as seen on the picture is the front; OpenGL counts with y up.
+        context.front_face = "ccw" if target.top_row_first else "cw"
+        rule = _BLEND_RULES[pipeline.blend]
+        context.enable(moderngl.BLEND)
+        replaces = pipeline.blend is Blend.REPLACE
+        alpha = (moderngl.ONE, moderngl.ZERO if replaces else moderngl.ONE)
+        context.blend_equation = rule.equation, moderngl.FUNC_ADD
+        context.blend_func = rule.source, rule.destination, *alpha
+        if pipeline.texture is not None:
+            self._textures.use(pipeline.texture, pipeline.wrap)
+        set_uniforms(self._programs.get(pipeline.program), pipeline)
+
+    def _draw(self, command: Draw) -> None:
+        program = command.pipeline.program
+        array = self._buffers.array(command.layer, program, self._programs.get(program))
+        array.render(moderngl.TRIANGLES, vertices=command.count, first=command.first)
+
+    def read(self, target: Target) -> U8:
+        """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
+        rows = self._surfaces.get(target).read(self.context)
+        return rows.copy() if target.top_row_first else rows[::-1].copy()
+
+    def present(self, target: Target, size: tuple[int, int]) -> None:
+        """Show a target in the window, whose framebuffer has `size` pixels."""
+        if self._show is None:
+            self._show = self.context.vertex_array(compile_pair(self.context, "show"), [])
+        picture = self._surfaces.get(target).average(self.context)
+        window = self.context.detect_framebuffer(0)
+        window.viewport = (0, 0, *size)
+        window.use()
+        self.context.disable(moderngl.DEPTH_TEST | moderngl.BLEND)
+        self.context.clear_samplers()
+        picture.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        picture.use(location=0)
+        self._show.program["y_sign"] = -1.0 if target.top_row_first else 1.0
+        self._show.render(moderngl.TRIANGLES, vertices=3)
+
+    def forget(self, resource: Pixels | Target) -> None:
+        """Let go of the copy of a resource."""
+        if isinstance(resource, Target):
+            self._surfaces.forget(resource)
+        else:
+            self._textures.forget(resource)
+
+    def close(self) -> None:
+        """Let go of the context and everything in it."""
+        self.context.release()
+
+
+def _scissor(pipeline: Pipeline) -> tuple[int, int, int, int] | None:
+    """Return the clip in the framebuffer's own rows."""
+    clip, target = pipeline.clip, pipeline.target
+    if clip is None:
+        return None
+    y = clip.top if target.top_row_first else target.height - clip.top - clip.height
+    return clip.left, y, max(0, clip.width), max(0, clip.height)

@@ -1,0 +1,82 @@
+"""Programs: compiled once, with the vertex columns that each reads and the uniforms of a pipeline."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import moderngl
+
+from sketchkit.backends.gl.glsl import source
+from sketchkit.core.lights import MOST_LIGHTS, Light, LightKind
+from sketchkit.draw.pipeline import Pipeline, Program
+
+_LIT_COLUMNS = ("normal", "ambient", "specular", "emissive", "shininess")
+# What each program reads of a vertex, besides its place and colour.
+COLUMNS: dict[Program, tuple[str, ...]] = {
+    Program.FLAT: (),
+    Program.TEXTURED: ("uv",),
+    Program.LIT: _LIT_COLUMNS,
+    Program.TEXTURED_LIT: ("uv", *_LIT_COLUMNS),
+    Program.LINE: ("direction",),
+    Program.POINT: ("offset",),
+}
+
+
+class Programs:
+    """The built-in programs of one context."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self._context = context
+        self._compiled: dict[Program, moderngl.Program] = {}
+
+    def get(self, program: Program) -> moderngl.Program:
+        """Return a program, compiled when it is first used."""
+        if program not in self._compiled:
+            self._compiled[program] = compile_pair(self._context, program.value)
+        return self._compiled[program]
+
+
+def compile_pair(context: moderngl.Context, name: str) -> moderngl.Program:
+    """Return the program made of `name`.vert and `name`.frag."""
+    return context.program(
+        vertex_shader=source(f"{name}.vert"), fragment_shader=source(f"{name}.frag")
+    )
+
+
+def set_uniforms(program: moderngl.Program, pipeline: Pipeline) -> None:
+    """Give a program the values of a pipeline."""
+    target = pipeline.target
+    p = pipeline.projection
+    values: dict[str, object] = {
+        "projection": tuple(p[row * 4 + column] for column in range(4) for row in range(4)),
+        "y_sign": -1.0 if target.top_row_first else 1.0,
+        "viewport": (target.width, target.height),
+        "line_scale": pipeline.line_scale,
+        "perspective": pipeline.stroke_perspective,
+    }
+    if pipeline.program in (Program.LIT, Program.TEXTURED_LIT):
+        values |= _light_values(pipeline.lights)
+    for name, value in values.items():
+        if name in program:
+            program[name] = value
+
+
+def _light_values(lights: Sequence[Light]) -> dict[str, object]:
+    """Return the arrays that lighting.glsl reads; rows of lights that are not there are 0."""
+    missing = [(0.0,) * 3] * (MOST_LIGHTS - len(lights))
+
+    def is_placed(light: Light) -> float:
+        return float(light.kind is not LightKind.DIRECTIONAL)
+
+    return {
+        "light_count": len(lights),
+        "light_position": [(*light.position, is_placed(light)) for light in lights]
+        + [(0.0,) * 4] * len(missing),
+        "light_direction": [light.direction for light in lights] + missing,
+        "light_ambient": [light.ambient for light in lights] + missing,
+        "light_diffuse": [light.diffuse for light in lights] + missing,
+        "light_specular": [light.specular for light in lights] + missing,
+        "light_falloff": [light.falloff for light in lights] + missing,
+        "light_spot": [(light.spot_cosine, light.concentration) for light in lights]
+        + [(0.0,) * 2] * len(missing),
+    }

@@ -1,0 +1,75 @@
+"""Targets: framebuffers, and what their samples are averaged into."""
+
+from __future__ import annotations
+
+import weakref
+
+import moderngl
+import numpy as np
+
+from sketchkit.draw.resources import Target
+from sketchkit.draw.vertex import U8
+
+
+class Surface:
+    """The framebuffer of one target, as it was when its size last changed."""
+
+    def __init__(self, context: moderngl.Context, target: Target) -> None:
+        size = (target.width, target.height)
+        self.version = target.version
+        self.image = context.texture(size, 4)
+        """One sample a pixel: the average, or what is drawn on when there is only one."""
+        self.depth = context.depth_renderbuffer(size, samples=_samples(target))
+        self._averaged = context.framebuffer([self.image])
+        if target.samples > 1:
+            self._colors = context.renderbuffer(size, 4, samples=target.samples)
+            self.framebuffer = context.framebuffer([self._colors], self.depth)
+        else:
+            self.framebuffer = context.framebuffer([self.image], self.depth)
+        self.framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+
+    def average(self, context: moderngl.Context) -> moderngl.Texture:
+        """Return the picture with one value a pixel."""
+        if self.framebuffer.samples:
+            context.copy_framebuffer(self._averaged, self.framebuffer)
+        return self.image
+
+    def read(self, context: moderngl.Context) -> U8:
+        """Return the picture, (h, w, 4), in the framebuffer's own order of rows."""
+        self.average(context)
+        data = self._averaged.read(components=4, alignment=1)
+        return np.frombuffer(data, np.uint8).reshape(*self.image.size[::-1], 4)
+
+    def release(self) -> None:
+        """Let go of everything on the GPU."""
+        for part in {self.framebuffer, self._averaged}:
+            part.release()
+        self.image.release()
+        self.depth.release()
+
+
+def _samples(target: Target) -> int:
+    """Return the samples as OpenGL counts them: 0 for none but the pixel itself."""
+    return target.samples if target.samples > 1 else 0
+
+
+class Surfaces:
+    """The surfaces of all targets, made when first drawn on."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self._context = context
+        self._surfaces: weakref.WeakKeyDictionary[Target, Surface] = weakref.WeakKeyDictionary()
+
+    def get(self, target: Target) -> Surface:
+        """Return a target's surface, made anew if its size has changed."""
+        surface = self._surfaces.get(target)
+        if surface is None or surface.version != target.version:
+            if surface is not None:
+                surface.release()
+            surface = self._surfaces[target] = Surface(self._context, target)
+        return surface
+
+    def forget(self, target: Target) -> None:
+        """Release a target's surface."""
+        if surface := self._surfaces.pop(target, None):
+            surface.release()

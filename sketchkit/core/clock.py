@@ -1,0 +1,55 @@
+"""What time it is for a sketch: the computer's, or one that is the same at every render."""
+
+import time
+from datetime import datetime
+from typing import Protocol
+
+FRAMES_PER_SECOND = 60
+RENDER_DATE = datetime(2000, 1, 1, 12, 0, 0)  # named in the report of a render
+
+
+class Clock(Protocol):
+    """A clock that a sketch can read."""
+
+    def millis(self) -> int:
+        """Return the milliseconds since the sketch began."""
+        ...
+
+    def now(self) -> datetime:
+        """Return the local date and time."""
+        ...
+
+
+class VirtualClock:
+    """A clock that stands still during a frame, and always steps a 60th of a second.
+
+    Whoever counts the frames sets `frame`. Frame 1 is at 0 milliseconds, and so is `setup()`,
+    before it; frame 2 is at 17, frame 3 at 33 (rounded, as measured). The date never moves.
+    """
+
+    def __init__(self, date: datetime = RENDER_DATE) -> None:
+        self.frame = 0
+        self.date = date
+
+    def millis(self) -> int:
+        """Return the milliseconds from frame 1 to this frame."""
+        return round(max(self.frame - 1, 0) * 1000 / FRAMES_PER_SECOND)
+
+    def now(self) -> datetime:
+        """Return the fixed date."""
+        return self.date
+
+
+class RealClock:
+    """The computer's own clock; milliseconds count from when it is made."""
+
+    def __init__(self) -> None:
+        self._start_s = time.monotonic()
+
+    def millis(self) -> int:
+        """Return the milliseconds since the start."""
+        return int((time.monotonic() - self._start_s) * 1000)
+
+    def now(self) -> datetime:
+        """Return the local date and time."""
+        return datetime.now()

@@ -1,0 +1,69 @@
+"""What shapes look like, apart from their colours: what `pushStyle()` saves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from sketchkit.core import constants as c
+from sketchkit.core.color import ColorMode
+
+NO_COLOR = -1  # a packed colour is 0..0xFFFFFFFF; this stands for noFill(), noStroke(), noTint()
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """How a surface answers light; colours are packed ARGB.
+
+    `ambient` is NO_COLOR until `ambient()` is called: until then the fill colour serves.
+    """
+
+    ambient: int = NO_COLOR
+    specular: int = 0xFF7D7D7D
+    emissive: int = 0xFF000000
+    shininess: float = 1.0
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Style:
+    """The state that a shape takes with it when it is recorded.
+
+    It is replaced, never changed, and its identity is its key. Fill, stroke, tint and the weight
+    of strokes are not here: sketches change them at every call, so each shape records its own.
+    """
+
+    rect_mode: int = c.CORNER
+    ellipse_mode: int = c.CENTER
+    stroke_cap: int = c.ROUND
+    stroke_join: int = c.MITER
+    material: Material = Material()
+    normal: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    sphere_detail: tuple[int, int] = (30, 30)
+
+
+@dataclass(frozen=True, slots=True)
+class Typography:
+    """How text is set."""
+
+    size: float = 12.0
+    leading: float = 14.0
+    align_x: int = c.LEFT
+    align_y: int = c.BASELINE
+
+
+@dataclass(slots=True)
+class SavedStyle:
+    """Everything that `pushStyle()` puts aside."""
+
+    style: Style
+    fill: int
+    stroke: int
+    tint: int
+    stroke_weight: float
+    color_mode: ColorMode
+    image_mode: int
+    shape_mode: int
+    blend_mode: int
+    typography: Typography
+
+
+__all__ = ["NO_COLOR", "Material", "SavedStyle", "Style", "Typography", "replace"]

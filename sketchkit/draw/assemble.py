@@ -1,0 +1,356 @@
+"""Pieces to a draw list: vertices in eye space, and draws in the order that Processing draws in.
+
+The order is the sketch's. In P2D the outline of a shape follows its fill; in P3D a section's fills
+come first, then its strokes, then its points.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.draw.commands import Clear, Draw, DrawList
+from sketchkit.draw.depth_sort import depth_order
+from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
+from sketchkit.draw.pipeline import Pipeline, Program
+from sketchkit.draw.recorder import Kind
+from sketchkit.draw.resources import Pixels
+from sketchkit.draw.rows import Rows, project
+from sketchkit.draw.stage import Stage
+from sketchkit.draw.vertex import Layer, Materials, VertexBlock
+from sketchkit.geometry.ribbons import ribbon
+from sketchkit.geometry.shapes import triangle_normals
+
+F32 = NDArray[np.float32]
+U8 = NDArray[np.uint8]
+I64 = NDArray[np.int64]
+
+# Ends of strokes are pulled a thousandth toward the eye, to win over the fill that they outline.
+PULL_PERSPECTIVE = (0.999, 0.999, 0.999)
+PULL_PARALLEL = (1.0, 1.0, 0.999)
+
+
+def unpack_argb(colors: I64) -> U8:
+    """Return packed colours as RGBA bytes, one more dimension of 4."""
+    # On little- and big-endian machines alike: shift, then take the low byte.
+    return np.stack([colors >> 16, colors >> 8, colors, colors >> 24], axis=-1).astype(np.uint8)
+
+
+class _Layer:
+    """Vertices and triangles of one layer, collected piece by piece, then put in order."""
+
+    def __init__(self) -> None:
+        self.columns: dict[str, list[NDArray[np.generic]]] = {}
+        self.indices: list[I64] = []  # (n, 3t) each: the corners of each piece's triangles
+        self.keys: list[I64] = []  # (n,) each: where in the order each piece comes
+        self.textures: list[list[Pixels] | None] = []
+        self.vertex_count = 0
+
+    def add(
+        self,
+        keys: I64,
+        triangles: I64,
+        columns: dict[str, NDArray[np.generic]],
+        textures: list[Pixels] | None = None,
+    ) -> None:
+        """Add pieces; a column is (n, k, d), or (n, 1, d) for one value a piece."""
+        count, corners = columns["positions"].shape[:2]
+        for name, column in columns.items():
+            full = np.broadcast_to(column, (count, corners, *column.shape[2:]))
+            flat = full.reshape(count * corners, *column.shape[2:])
+            self.columns.setdefault(name, []).append(flat)
+        first = self.vertex_count + corners * np.arange(count)
+        self.indices.append(first[:, None] + triangles.ravel())
+        self.keys.append(keys)
+        self.textures.append(textures)
+        self.vertex_count += count * corners
+
+    def in_order(self) -> tuple[I64, I64, I64, list[Pixels | None] | None]:
+        """Return indices in drawing order, and of each piece in that order: key, end, texture."""
+        keys = np.concatenate(self.keys)
+        sizes = np.concatenate([np.full(len(part), part.shape[1]) for part in self.indices])
+        if len(self.keys) == 1 and (keys[1:] >= keys[:-1]).all():
+            order = np.arange(len(keys))
+            indices = self.indices[0].ravel()
+        else:
+            order = np.argsort(keys, kind="stable")
+            starts = np.empty(len(keys), np.int64)
+            starts[order] = np.cumsum(sizes[order]) - sizes[order]
+            indices = np.empty(int(sizes.sum()), np.int64)
+            done = 0
+            for part in self.indices:
+                mine = starts[done : done + len(part)]
+                indices[mine[:, None] + np.arange(part.shape[1])] = part
+                done += len(part)
+        textures: list[Pixels | None] | None = None
+        if any(part is not None for part in self.textures):
+            every: list[Pixels | None] = []
+            for part_keys, part_textures in zip(self.keys, self.textures, strict=True):
+                every += part_textures or [None] * len(part_keys)
+            textures = [every[i] for i in order]
+        return indices, keys[order], np.cumsum(sizes[order]), textures
+
+    def block(self, indices: I64) -> VertexBlock:
+        """Return the vertices with indices put in order."""
+        joined = {
+            name: parts[0] if len(parts) == 1 else np.concatenate(parts)
+            for name, parts in self.columns.items()
+        }
+        materials = None
+        if "ambient" in joined:
+            names = ("ambient", "specular", "emissive", "shininess")
+            materials = Materials(*(joined.pop(name) for name in names))  # type: ignore[arg-type] # columns are of one dtype each
+        return VertexBlock(
+            indices=indices.astype(np.uint32),
+            materials=materials,
+            **joined,  # type: ignore[arg-type] # ditto
+        )
+
+
+class Assembler:
+    """Makes one draw list of the pieces of recorded rows."""
+
+    def __init__(self, rows: Rows) -> None:
+        self.rows = rows
+        self.layers = {layer: _Layer() for layer in Layer}
+        stages = rows.stages
+        self.is_lit = any(stage.lights is not None for stage in stages)
+
+    def assemble(self, expansion: Expansion) -> DrawList:
+        """Return the list."""
+        self.has_uvs = any(fills.uvs is not None for fills in expansion.fills)
+        for fills in expansion.fills:
+            self._add_fills(fills)
+        for lines in expansion.lines:
+            self._add_lines(lines)
+        for points in expansion.points:
+            self._add_points(points)
+        return self._draw_list()
+
+    def _add_fills(self, fills: Fills) -> None:
+        x, y, z = self.rows.transform(fills.rows, fills.x, fills.y, fills.z)
+        if fills.snap is not None:
+            snap = fills.snap[:, None]
+            x, y = np.where(snap, np.ceil(x), x), np.where(snap, np.ceil(y), y)
+        x, y, z = np.broadcast_arrays(x, y, z)
+        columns: dict[str, NDArray[np.generic]] = {
+            "positions": np.stack([x, y, z], axis=2),
+            "colors": unpack_argb(fills.colors),
+        }
+        if self.has_uvs:
+            no_uvs = np.zeros((1, 1, 2), np.float32)
+            columns["uvs"] = no_uvs if fills.uvs is None else fills.uvs
+        if self.is_lit:
+            columns["normals"] = self._normals(fills, x, y, z)
+            columns |= self._materials(fills)
+        keys = 2 * fills.rows + fills.is_stroke
+        self.layers[Layer.FILLS].add(keys, fills.triangles, columns, fills.textures)
+
+    def _normals(self, fills: Fills, x: F32, y: F32, z: F32) -> F32:
+        """Return normals in eye space, (n, k or 1, 3)."""
+        if fills.is_stroke:
+            return np.zeros((1, 1, 3), np.float32)
+        if fills.normals is None:
+            a, b, c = (np.stack([x[:, i], y[:, i], z[:, i]], axis=1) for i in range(3))
+            return triangle_normals(a, b, c)[:, None]
+        inverse = self._normal_matrices()[self.rows.states[fills.rows]]  # (n, 3, 3)
+        normals = np.broadcast_to(fills.normals, (len(inverse), *fills.normals.shape[1:]))
+        turned: F32 = (normals @ inverse).astype(np.float32)
+        return turned
+
+    def _normal_matrices(self) -> F32:
+        """Return the inverse of each state's matrix, (s, 3, 3): n @ inverse is the normal's way."""
+        linear = self.rows.matrices.reshape(-1, 3, 4)[:, :, :3].astype(np.float64)
+        singular = np.abs(np.linalg.det(linear)) < 1e-30
+        linear[singular] = np.eye(3)
+        return np.linalg.inv(linear).astype(np.float32)
+
+    def _materials(self, fills: Fills) -> dict[str, NDArray[np.generic]]:
+        """Return the columns of the material."""
+        if fills.attributes is not None:
+            materials = [entry.material for entry in self.rows.recorder.attributes]
+            index = fills.attributes
+        else:
+            materials = [style.material for style in self.rows.styles]
+            index = self.rows.states[fills.rows][:, None]
+        ambient = np.array([material.ambient for material in materials], np.int64)[index]
+        follows = fills.colors if fills.ambient is None else fills.ambient
+        ambient = np.where(ambient < 0, np.maximum(follows, 0), ambient)
+        packed = [
+            np.array([material.specular for material in materials], np.int64)[index],
+            np.array([material.emissive for material in materials], np.int64)[index],
+        ]
+        shininess = np.array([material.shininess for material in materials], np.float32)[index]
+        return {
+            "ambient": unpack_argb(ambient),
+            "specular": unpack_argb(packed[0]),
+            "emissive": unpack_argb(packed[1]),
+            "shininess": shininess,
+        }
+
+    def _add_lines(self, lines: Lines) -> None:
+        strip = ribbon(lines.x.shape[1], is_closed=lines.is_closed, is_joined=lines.is_joined)
+        here, there = strip.points, strip.others
+        x, y, z = self.rows.transform(lines.rows, lines.x, lines.y, lines.z)
+        positions = np.stack([x[:, here], y[:, here], z[:, here]], axis=2)
+        delta = [column[:, there] - column[:, here] for column in (lines.x, lines.y, lines.z)]
+        m = self.rows.matrices[self.rows.states[lines.rows]].T[..., None]
+        scales = self.rows.scales[self.rows.states[lines.rows]][:, None]
+        half = np.broadcast_to(lines.weights, lines.x.shape)[:, here] * scales / 2
+        directions = np.stack(
+            [
+                delta[0] * m[0] + delta[1] * m[1] + delta[2] * m[2],
+                delta[0] * m[4] + delta[1] * m[5] + delta[2] * m[6],
+                delta[0] * m[8] + delta[1] * m[9] + delta[2] * m[10],
+                half * strip.sides,
+            ],
+            axis=2,
+        )
+        colors = np.broadcast_to(lines.colors, lines.x.shape)[:, here]
+        columns: dict[str, NDArray[np.generic]] = {
+            "positions": positions,
+            "colors": unpack_argb(colors),
+            "directions": directions.astype(np.float32),
+        }
+        self.layers[Layer.LINES].add(2 * lines.rows, strip.triangles, columns)
+
+    def _add_points(self, points: Points) -> None:
+        place = (points.x[:, None], points.y[:, None], points.z[:, None])
+        positions = np.stack(self.rows.transform(points.rows, *place), axis=2)
+        corners = points.offsets.shape[1]
+        columns: dict[str, NDArray[np.generic]] = {
+            "positions": positions.repeat(corners, axis=1),
+            "colors": unpack_argb(points.colors[:, None]),
+            "offsets": points.offsets,
+        }
+        self.layers[Layer.POINTS].add(2 * points.rows, points.triangles, columns)
+
+    def _draw_list(self) -> DrawList:
+        """Return commands, section by section, with the blocks that they refer to."""
+        out = DrawList()
+        ordered = {}
+        for layer, collected in self.layers.items():
+            if collected.keys:
+                indices, keys, ends, textures = collected.in_order()
+                out.blocks[layer] = collected.block(indices)
+                ordered[layer] = _Order(keys >> 1, ends, textures)
+        for first, last in self._sections():
+            self._draw_section(first, last, ordered, out)
+        return out
+
+    def _sections(self) -> list[tuple[int, int]]:
+        """Return ranges of rows: a clear by itself, or rows of one stage."""
+        stage_ids = np.array([id(stage) for stage in self.rows.stages])[self.rows.states]
+        is_clear = self.rows.kinds == Kind.CLEAR
+        begins = np.ones(len(is_clear), np.bool_)
+        begins[1:] = (stage_ids[1:] != stage_ids[:-1]) | is_clear[1:] | is_clear[:-1]
+        starts = np.flatnonzero(begins).tolist()
+        return list(zip(starts, [*starts[1:], len(is_clear)], strict=True))
+
+    def _draw_section(
+        self, first: int, last: int, ordered: dict[Layer, _Order], out: DrawList
+    ) -> None:
+        stage = self.rows.stages[self.rows.states[first]]
+        if self.rows.kinds[first] == Kind.CLEAR:
+            color = unpack_argb(self.rows.fills[first : first + 1])[0].tolist()
+            out.commands.append(Clear(stage.target, tuple(color), stage.depth_write))
+            return
+        layers = [layer for layer in Layer if layer in ordered]
+        if stage.depth_sort and stage.is_3d:  # sorted fills come last: strokes show through them
+            layers = layers[1:] + layers[:1]
+            if layers[-1] is Layer.FILLS:
+                ordered[Layer.FILLS].sort(first, last, out.blocks[Layer.FILLS], stage)
+        for layer in layers:
+            for begin, end, texture in ordered[layer].runs(first, last):
+                pipeline = _pipeline(stage, layer, texture)
+                _append(out, Draw(pipeline, layer, begin, end - begin))
+
+
+class _Order:
+    """Pieces of a layer in drawing order: their rows, ends of their indices, and textures."""
+
+    def sort(self, first: int, last: int, block: VertexBlock, stage: Stage) -> None:
+        """Put the triangles of the rows first..last-1 in order of depth."""
+        begin, end = (int(i) for i in np.searchsorted(self.rows, (first, last)))
+        if begin == end:
+            return
+        start = int(self.ends[begin - 1]) if begin else 0
+        run = slice(start, int(self.ends[end - 1]))
+        triangles = block.indices[run].reshape(-1, 3)
+        x, y, z, w = project(stage.projection, *block.positions[triangles].T.astype(np.float64))
+        order = depth_order(np.stack([x / w, y / w, -z / w], axis=2).transpose(1, 0, 2))
+        block.indices[run] = triangles[order].ravel()
+        if self.textures is not None:
+            self._sort_textures(begin, end, start, order)
+
+    def _sort_textures(self, begin: int, end: int, start: int, order: I64) -> None:
+        """Follow sorted triangles with their textures: each triangle is a piece from now on."""
+        assert self.textures is not None
+        sizes = np.diff(self.ends[begin:end], prepend=start) // 3
+        pieces = np.repeat(np.arange(begin, end), sizes)[order]
+        single = [self.textures[piece] for piece in pieces]
+        self.textures[begin:end] = single
+        rows = np.full(len(pieces), self.rows[begin])
+        self.rows = np.concatenate([self.rows[:begin], rows, self.rows[end:]])
+        ends = start + 3 * np.arange(1, len(pieces) + 1)
+        self.ends = np.concatenate([self.ends[:begin], ends, self.ends[end:]])
+
+    def __init__(self, rows: I64, ends: I64, textures: list[Pixels | None] | None) -> None:
+        self.rows = rows
+        self.ends = ends
+        self.textures = textures
+
+    def runs(self, first: int, last: int) -> list[tuple[int, int, Pixels | None]]:
+        """Return ranges of indices of the rows first..last-1, split where the texture changes."""
+        begin, end = (int(i) for i in np.searchsorted(self.rows, (first, last)))
+        if begin == end:
+            return []
+        cuts = [begin, end]
+        if self.textures is not None:
+            ids = np.array([id(texture) for texture in self.textures[begin:end]])
+            cuts = [begin, *(begin + 1 + np.flatnonzero(ids[1:] != ids[:-1])).tolist(), end]
+        return [
+            (
+                int(self.ends[a - 1]) if a else 0,
+                int(self.ends[b - 1]),
+                self.textures[a] if self.textures is not None else None,
+            )
+            for a, b in zip(cuts, cuts[1:], strict=False)
+        ]
+
+
+def _pipeline(stage: Stage, layer: Layer, texture: Pixels | None) -> Pipeline:
+    """Return how a layer of a stage is drawn."""
+    lights = stage.lights if layer is Layer.FILLS else None
+    if layer is Layer.LINES:
+        program = Program.LINE
+    elif layer is Layer.POINTS:
+        program = Program.POINT
+    elif lights is None:
+        program = Program.FLAT if texture is None else Program.TEXTURED
+    else:
+        program = Program.LIT if texture is None else Program.TEXTURED_LIT
+    return Pipeline(
+        program=program,
+        target=stage.target,
+        projection=stage.projection,
+        blend=stage.blend,
+        depth_test=stage.depth_test,
+        depth_write=stage.depth_write,
+        clip=stage.clip,
+        lights=lights or (),
+        texture=texture,
+        wrap=stage.wrap,
+        line_scale=PULL_PERSPECTIVE if stage.is_perspective else PULL_PARALLEL,
+        stroke_perspective=stage.stroke_perspective,
+    )
+
+
+def _append(out: DrawList, draw: Draw) -> None:
+    """Append a draw, or lengthen the last one if it goes on where that ended."""
+    if out.commands and isinstance(last := out.commands[-1], Draw):
+        joins = last.layer is draw.layer and last.first + last.count == draw.first
+        if joins and last.pipeline == draw.pipeline:
+            out.commands[-1] = Draw(last.pipeline, last.layer, last.first, last.count + draw.count)
+            return
+    out.commands.append(draw)

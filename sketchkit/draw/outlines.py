@@ -1,0 +1,260 @@
+"""Strokes and points of rows: outlines in the plane in P2D, strips that face the viewer in P3D."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.core.constants import ROUND
+from sketchkit.draw.blend import Blend
+from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
+from sketchkit.draw.pipeline import Blend
+from sketchkit.draw.rows import ZERO, Rows
+from sketchkit.geometry.circles import fan, side_count, unit_circle
+from sketchkit.geometry.polygons import tessellate
+from sketchkit.geometry.shapes import SAME
+from sketchkit.geometry.strokes import (
+    Pieces,
+    Polylines,
+    stroke_contours,
+    thin_stroke,
+    wide_stroke,
+)
+
+F32 = NDArray[np.float32]
+I64 = NDArray[np.int64]
+Bool = NDArray[np.bool_]
+
+THIN = 2.0  # px: strokes below it have neither caps nor joins
+SEGMENT = np.array([(0, 1, 2), (2, 0, 3)])
+SQUARE_X = np.array([[0, -1, 1, 1, -1]], np.float32) / 2
+SQUARE_Y = np.array([[0, -1, -1, 1, 1]], np.float32) / 2
+PAINTS_ONCE = (Blend.BLEND, Blend.REPLACE, Blend.LIGHTEST, Blend.DARKEST)
+
+
+class Outlines(NamedTuple):
+    """Polylines to stroke; `n` of them through `k` points.
+
+    Attributes
+    ----------
+    rows : (n,) int64, ascending
+    x, y, z : (n, k) float32, object space
+        A dimension of z may be 1.
+    colors : (n, k) or (n, 1) int64, packed ARGB
+    weights : (n, k) or (n, 1) float32
+    is_closed : bool
+    """
+
+    rows: I64
+    x: F32
+    y: F32
+    z: F32
+    colors: I64
+    weights: F32
+    is_closed: bool
+
+    def take(self, chosen: Bool) -> Outlines:
+        """Return some of the polylines."""
+        z = self.z if len(self.z) == 1 else self.z[chosen]
+        return Outlines(
+            self.rows[chosen],
+            self.x[chosen],
+            self.y[chosen],
+            z,
+            self.colors[chosen],
+            self.weights[chosen],
+            self.is_closed,
+        )
+
+
+def row_outlines(rows: Rows, at: I64, x: F32, y: F32, z: F32, *, is_closed: bool) -> Outlines:
+    """Return one outline for each of the rows `at`, in the row's own colour and weight."""
+    return Outlines(
+        at, x, y, z, rows.strokes[at][:, None], rows.weights[at][:, None], is_closed
+    ).take((rows.strokes[at] >= 0) & (rows.weights[at] > 0))
+
+
+def add_outlines(rows: Rows, outlines: Outlines, out: Expansion) -> None:
+    """Stroke polylines into `out`."""
+    if not len(outlines.rows):
+        return
+    states = rows.states[outlines.rows]
+    width = rows.scales[states] * outlines.weights.max(axis=1)
+    kinds = rows.is_3d[states] * 2 + (width >= THIN)
+    for kind in np.unique(kinds):
+        some = outlines.take(kinds == kind)
+        if kind >= 2:
+            shape = np.broadcast_shapes(some.x.shape, some.z.shape)
+            z = np.broadcast_to(some.z, shape)
+            out.lines.append(
+                Lines(
+                    some.rows,
+                    some.x,
+                    some.y,
+                    z,
+                    some.colors,
+                    some.weights,
+                    some.is_closed,
+                    is_joined=bool(kind == 3),
+                )
+            )
+        elif kind == 1:
+            _add_wide(rows, some, out)
+        else:
+            _add_thin(rows, some, out)
+
+
+def _add_thin(rows: Rows, outlines: Outlines, out: Expansion) -> None:
+    """Add one quad for each segment; those along the axes are moved to whole pixels."""
+    lines = Polylines(outlines.x, outlines.y, outlines.is_closed)
+    weights = np.broadcast_to(outlines.weights, outlines.x.shape)
+    pieces = thin_stroke(lines, weights)
+    states = rows.states[outlines.rows]
+    scaled = rows.scales[states][:, None] * outlines.weights
+    whole = (scaled == np.trunc(scaled)).all(axis=1)
+    snap = rows.can_snap[states] & whole & _rows_agree(outlines.rows, _is_aligned(lines))
+    fills = _stroke_fills(outlines, pieces, SEGMENT)
+    fills.snap = snap[pieces.lines] if snap.any() else None
+    out.fills.append(fills)
+
+
+def _is_aligned(lines: Polylines) -> Bool:
+    """Return which polylines have all their segments along the axes, (n,)."""
+    (x0, y0), (x1, y1) = lines.ends()
+    aligned: Bool = ((np.abs(x0 - x1) < SAME) | (np.abs(y0 - y1) < SAME)).all(axis=1)
+    return aligned
+
+
+def _rows_agree(rows: I64, fits: Bool) -> Bool:
+    """Return for each piece whether all pieces of its row fit, (n,)."""
+    return fits if fits.all() else ~np.isin(rows, rows[~fits])
+
+
+def _stroke_fills(outlines: Outlines, pieces: Pieces, triangles: I64) -> Fills:
+    """Return pieces of strokes as fills, in the colours of their points."""
+    if outlines.colors.shape[1] == 1:
+        colors = outlines.colors[pieces.lines]
+    else:
+        colors = outlines.colors[pieces.lines[:, None], pieces.points]
+    return Fills(
+        outlines.rows[pieces.lines], pieces.x, pieces.y, ZERO, triangles, colors, is_stroke=True
+    )
+
+
+def _add_wide(rows: Rows, outlines: Outlines, out: Expansion) -> None:
+    """Add strokes with caps and joins, for each weight, cap and join."""
+    states = rows.states[outlines.rows]
+    styles = [rows.styles[state] for state in states]
+    blends = [rows.stages[state].blend for state in states]
+    opaque = (outlines.colors >> 24).min(axis=1) == 255
+    for i, blend in enumerate(blends):
+        opaque[i] &= blend in PAINTS_ONCE
+    single = outlines.x.shape[1] == 2
+    keys = [
+        (float(weight), style.stroke_cap, style.stroke_join, bool(once) or single)
+        for weight, style, once in zip(outlines.weights[:, 0], styles, opaque, strict=True)
+    ]
+    for key in dict.fromkeys(keys):
+        weight, cap, join, may_overlap = key
+        some = outlines.take(np.array([other == key for other in keys]))
+        if may_overlap:
+            _add_overlapping(some, weight, cap, join, out)
+        else:
+            _add_united(some, weight, cap, join, out)
+
+
+def _add_overlapping(
+    outlines: Outlines, weight: float, cap: int, join: int, out: Expansion
+) -> None:
+    """Add strokes piece by piece: where the pieces overlap does not show."""
+    lines = Polylines(outlines.x, outlines.y, outlines.is_closed)
+    for pieces in wide_stroke(lines, weight, cap, join):
+        triangles = fan(pieces.x.shape[1], closed=False)
+        out.fills.append(_stroke_fills(outlines, pieces, triangles))
+
+
+def _add_united(outlines: Outlines, weight: float, cap: int, join: int, out: Expansion) -> None:
+    """Add strokes as one outline for each row, so that nothing is painted twice."""
+    for row in np.unique(outlines.rows):
+        some = outlines.take(outlines.rows == row)
+        lines = Polylines(some.x, some.y, some.is_closed)
+        x, y, sources, lengths = stroke_contours(lines, weight, cap, join)
+        points = np.stack([x, y, np.zeros_like(x)], axis=1).astype(np.float64)
+        found = tessellate(points, lengths)
+        if not len(found.triangles):
+            continue
+        blend = Blend(found)
+        colors = blend.mix_colors(np.broadcast_to(some.colors, some.x.shape).ravel()[sources])
+        corners = blend.mix(points)[found.triangles].astype(np.float32)
+        out.fills.append(
+            Fills(
+                np.full(len(corners), row),
+                corners[..., 0],
+                corners[..., 1],
+                ZERO,
+                np.array([(0, 1, 2)]),
+                colors[found.triangles],
+                is_stroke=True,
+            )
+        )
+
+
+class Dots(NamedTuple):
+    """Points to draw, (n,) each."""
+
+    rows: I64
+    x: F32
+    y: F32
+    z: F32
+    colors: I64
+    weights: F32
+
+
+def add_dots(rows: Rows, dots: Dots, out: Expansion) -> None:
+    """Draw points: discs, or squares where the cap is not round."""
+    states = rows.states[dots.rows]
+    round_caps = np.array([style.stroke_cap == ROUND for style in rows.styles], np.bool_)[states]
+    sides = np.where(round_caps, side_count(dots.weights), 0)
+    solid = rows.is_3d[states]
+    for key in dict.fromkeys(zip(sides.tolist(), solid.tolist(), strict=True)):
+        mine = (sides == key[0]) & (solid == key[1])
+        some = Dots(*(column[mine] for column in dots))
+        if key[0]:
+            cosines, sines = unit_circle(key[0])
+            unit_x = np.append(np.float32(0), cosines / 2)[None]
+            unit_y = np.append(np.float32(0), sines / 2)[None]
+        else:
+            unit_x, unit_y = SQUARE_X, SQUARE_Y
+        _add_fans(rows, some, (unit_x, unit_y), out, is_round=bool(key[0]), is_3d=key[1])
+
+
+def _add_fans(
+    rows: Rows, dots: Dots, unit: tuple[F32, F32], out: Expansion, *, is_round: bool, is_3d: bool
+) -> None:
+    """Add points of one outline, given as the corners of a fan of size 1."""
+    triangles = fan(unit[0].shape[1], closed=True)
+    states = rows.states[dots.rows]
+    if is_3d:
+        size = (dots.weights * rows.scales[states])[:, None]
+        offsets = np.stack([unit[0] * size, unit[1] * size], axis=2)
+        out.points.append(
+            Points(dots.rows, dots.x, dots.y, dots.z, dots.colors, offsets, triangles)
+        )
+        return
+    size = dots.weights[:, None]
+    out.fills.append(
+        Fills(
+            dots.rows,
+            dots.x[:, None] + unit[0] * size,
+            dots.y[:, None] + unit[1] * size,
+            ZERO,
+            triangles,
+            dots.colors[:, None],
+            is_stroke=True,
+            snap=None if is_round else rows.can_snap[states],
+        )
+    )
+
+

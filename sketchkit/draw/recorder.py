@@ -1,0 +1,201 @@
+"""Recorder: what the sketch calls, as plain numbers. The hot path.
+
+A call of the sketch packs one row of fixed size into a buffer that is used again each frame;
+everything else is done later, for whole columns at once. Packing is also the check of arguments: a
+value that is no number is refused there.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from enum import IntEnum
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.core.matrix import Affine
+from sketchkit.core.style import Material, Style
+from sketchkit.draw.resources import Pixels
+from sketchkit.draw.stage import Stage
+
+PackError = struct.error
+
+
+class Kind(IntEnum):
+    """What a row draws."""
+
+    CLEAR = 0
+    POINT = 1
+    LINE = 2
+    TRIANGLE = 3
+    QUAD = 4
+    RECT = 5
+    ELLIPSE = 6
+    ARC = 7
+    BOX = 8
+    SPHERE = 9
+    IMAGE = 10
+    SHAPE = 11
+
+
+# kind, state: which entry of the recorder's states; fill, stroke: packed ARGB or NO_COLOR;
+# weight of the stroke; link: an entry of `shapes` or `textures`; numbers: what the call was given.
+ROW_DTYPE = np.dtype(
+    [
+        ("kind", "<i4"),
+        ("state", "<i4"),
+        ("fill", "<i8"),
+        ("stroke", "<i8"),
+        ("weight", "<f4"),
+        ("link", "<i4"),
+        ("numbers", "<f4", (8,)),
+    ]
+)
+ROW = ROW_DTYPE.itemsize
+
+Packer: TypeAlias = Callable[..., None]
+
+
+def _row_packer(numbers: int) -> Packer:
+    """Return what packs kind, state, fill, stroke, weight, link and so many numbers."""
+    return struct.Struct(f"<iiqqfi{numbers}f{4 * (8 - numbers)}x").pack_into
+
+
+(
+    pack_row1,
+    pack_row3,
+    pack_row4,
+    pack_row6,
+    pack_row7,
+    pack_row8,
+) = (_row_packer(count) for count in (1, 3, 4, 6, 7, 8))
+pack_row0 = _row_packer(0)
+
+# A vertex of beginShape(): place, entry of `attributes`, fill (or tint) and stroke as ARGB.
+CORNER_DTYPE = np.dtype(
+    [("place", "<f4", (3,)), ("attributes", "<i4"), ("fill", "<i8"), ("stroke", "<i8")]
+)
+CORNER = CORNER_DTYPE.itemsize
+pack_corner: Packer = struct.Struct("<fffiqq").pack_into
+unpack_place = struct.Struct("<fff").unpack_from
+
+UV = 8
+pack_uv: Packer = struct.Struct("<ff").pack_into
+
+
+class Attributes(NamedTuple):
+    """What a vertex of `beginShape()` has besides place and colours."""
+
+    normal: tuple[float, float, float]
+    material: Material
+    weight: float
+
+
+class ShapeRun(NamedTuple):
+    """One `beginShape()` … `endShape()`.
+
+    Attributes
+    ----------
+    first, count : int
+        Its corners in the recorder.
+    contours : tuple of int
+        Where later outlines begin, counted from `first`.
+    first_uv : int or None
+        Its texture coordinates, one for each corner, 0..1; None if it has no texture.
+    has_normals : bool
+        Whether the sketch gave a normal, so that none are made from the faces.
+    ambient : int
+        The fill colour, which lit textured shapes take as their ambient colour.
+    """
+
+    kind: int
+    first: int
+    count: int
+    is_closed: bool
+    contours: tuple[int, ...]
+    first_uv: int | None
+    texture: Pixels | None
+    has_normals: bool
+
+
+class Recorder:
+    """What was called since the last flush.
+
+    Attributes
+    ----------
+    rows, corners, uvs : bytearray
+        Used up to `row_end`, `corner_end`, `uv_end` bytes.
+    styles, stages, matrices : list
+        The states that rows refer to: entry i of each (12 numbers each of `matrices`).
+    attributes : list of Attributes
+    shapes : list of ShapeRun
+    textures : list of Pixels
+        Of images, which have no shape.
+    """
+
+    __slots__ = (
+        "attributes",
+        "corner_end",
+        "corners",
+        "matrices",
+        "row_end",
+        "rows",
+        "shapes",
+        "stages",
+        "styles",
+        "textures",
+        "uv_end",
+        "uvs",
+    )
+
+    def __init__(self, capacity: int = 1024) -> None:
+        self.rows = bytearray(capacity * ROW)
+        self.corners = bytearray(capacity * CORNER)
+        self.uvs = bytearray(capacity * UV)
+        self.corner_end = self.uv_end = self.row_end = 0
+        self.clear()
+
+    def clear(self) -> None:
+        """Forget everything; states and attributes that were handed out are no longer valid."""
+        self.row_end = self.corner_end = self.uv_end = 0
+        self.styles: list[Style] = []
+        self.stages: list[Stage] = []
+        self.matrices: list[float] = []
+        self.attributes: list[Attributes] = []
+        self.shapes: list[ShapeRun] = []
+        self.textures: list[Pixels] = []
+
+    def keep_state(self, style: Style, stage: Stage, modelview: Affine) -> int:
+        """Return the index of a state for the rows that follow."""
+        self.styles.append(style)
+        self.stages.append(stage)
+        self.matrices.extend(modelview)
+        return len(self.styles) - 1
+
+    def make_room(self) -> bool:
+        """Return whether a buffer was full; it is twice as long afterwards."""
+        grown = False
+        for buffer, end, size in (
+            (self.rows, self.row_end, ROW),
+            (self.corners, self.corner_end, CORNER),
+            (self.uvs, self.uv_end, UV),
+        ):
+            if end + size > len(buffer):
+                buffer.extend(bytes(len(buffer)))
+                grown = True
+        return grown
+
+    def row_array(self) -> NDArray[np.void]:
+        """Return a view of the rows, (n,) of ROW_DTYPE; it must not outlive the next call."""
+        return np.frombuffer(memoryview(self.rows)[: self.row_end], ROW_DTYPE)
+
+    def corner_array(self) -> NDArray[np.void]:
+        """Return a view of the corners, (n,) of CORNER_DTYPE; it must not outlive the next call."""
+        return np.frombuffer(memoryview(self.corners)[: self.corner_end], CORNER_DTYPE)
+
+    def uv_array(self) -> NDArray[np.float32]:
+        """Return a view of the texture coordinates, (n, 2); it must not outlive the next call."""
+        uvs = np.frombuffer(memoryview(self.uvs)[: self.uv_end], np.float32)
+        return uvs.reshape(-1, 2)

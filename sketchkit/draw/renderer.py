@@ -1,0 +1,85 @@
+"""Renderer: one stream of recorded calls, made into draw lists and handed to a backend."""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+from sketchkit.draw.assemble import Assembler
+from sketchkit.draw.backend import Backend
+from sketchkit.draw.commands import Draw, DrawList
+from sketchkit.draw.expand import expand
+from sketchkit.draw.recorder import Recorder
+from sketchkit.draw.resources import Target
+from sketchkit.draw.rows import Rows
+from sketchkit.draw.vertex import U8
+
+
+class RecordsRows(Protocol):
+    """A canvas that records into a renderer's stream."""
+
+    def forget_state(self) -> None:
+        """Give up indices into the recorder: it has been cleared."""
+
+
+@dataclass
+class Stats:
+    """What was drawn: calls of the graphics interface, and vertices sent."""
+
+    draw_calls: int = 0
+    vertices: int = 0
+
+
+class Renderer:
+    """Turns what canvases record into pixels.
+
+    Attributes
+    ----------
+    recorder : Recorder
+        One for all canvases of a sketch, so that their drawing keeps its order.
+    stats : Stats
+        Counted since `reset_stats()`.
+    observers : list
+        Called with each draw list before it is executed.
+    """
+
+    def __init__(self, backend: Backend) -> None:
+        self.backend = backend
+        self.recorder = Recorder()
+        self.stats = Stats()
+        self.observers: list[Callable[[DrawList], None]] = []
+        self._canvases: weakref.WeakSet[RecordsRows] = weakref.WeakSet()
+
+    def register(self, canvas: RecordsRows) -> None:
+        """Have a canvas told when the recorder is cleared."""
+        self._canvases.add(canvas)
+
+    def flush(self) -> None:
+        """Draw everything recorded so far."""
+        if not self.recorder.row_end:
+            return
+        rows = Rows(self.recorder)
+        commands = Assembler(rows).assemble(expand(rows))
+        del rows  # its views would keep the recorder's buffers from growing
+        self.recorder.clear()
+        for canvas in self._canvases:
+            canvas.forget_state()
+        self._execute(commands)
+
+    def _execute(self, commands: DrawList) -> None:
+        self.stats.draw_calls += sum(isinstance(command, Draw) for command in commands.commands)
+        self.stats.vertices += sum(len(block.positions) for block in commands.blocks.values())
+        for observer in self.observers:
+            observer(commands)
+        self.backend.execute(commands)
+
+    def read(self, target: Target) -> U8:
+        """Return what was drawn on a target so far, (h, w, 4) RGBA, top row first."""
+        self.flush()
+        return self.backend.read(target)
+
+    def reset_stats(self) -> None:
+        """Count from zero."""
+        self.stats = Stats()

@@ -1,0 +1,39 @@
+"""What a row is drawn with, apart from its own numbers: the part of the state that is the canvas's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sketchkit.core.lights import LightRig
+from sketchkit.core.matrix import IDENTITY4, Mat4
+from sketchkit.draw.pipeline import Blend, Clip
+from sketchkit.draw.resources import Target, Wrap
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Stage:
+    """Everything of a pipeline that a sketch sets for more than one shape.
+
+    A change makes a new stage, and a new stage begins a new section: within a section of a 3D
+    canvas all fills are drawn before all strokes, and these before all points, as Processing does.
+
+    Attributes
+    ----------
+    is_3d : bool
+        Whether strokes face the viewer (P3D) or are outlines in the plane (P2D).
+    lights : LightRig or None
+        None is unlit; an empty rig is lit by nothing.
+    """
+
+    target: Target
+    is_3d: bool = False
+    projection: Mat4 = IDENTITY4
+    is_perspective: bool = True
+    blend: Blend = Blend.BLEND
+    depth_test: bool = False
+    depth_write: bool = True
+    depth_sort: bool = False
+    clip: Clip | None = None
+    lights: LightRig | None = None
+    wrap: Wrap = Wrap.CLAMP
+    stroke_perspective: bool = False

@@ -1,0 +1,80 @@
+"""The modules beside a sketch: found for it alone, with the sketch's names, and forgotten after it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from importlib.abc import MetaPathFinder
+from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
+from pathlib import Path
+from types import CodeType, ModuleType
+
+from sketchkit.runtime.source import FOUNDATIONS, Source
+
+Names = dict[str, object]
+
+
+class SiblingLoader(SourceFileLoader):
+    """Runs a module that sees the sketch's names."""
+
+    def __init__(self, name: str, path: str, names: Names) -> None:
+        super().__init__(name, path)
+        self.names = names
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """Return a module whose own namespace is empty, and behind it the sketch's names."""
+        module = ModuleType(spec.name)
+        vars(module)["__builtins__"] = self.names
+        return module
+
+    def get_code(self, fullname: str) -> CodeType:
+        """Return the module's code, from its source: nothing is cached beside a sketch."""
+        source = Source.read(Path(self.path))
+        source.refuse_hidden_modules()
+        return source.code
+
+
+class SiblingFinder(MetaPathFinder):
+    """Finds modules in the sketch's folder, and in folders that the sketch adds to `sys.path`.
+
+    Attributes
+    ----------
+    found : dict
+        The modules that the sketch has got from here, and their files; None for a plain folder.
+    """
+
+    def __init__(self, folder: Path, names: Names) -> None:
+        self.folder = folder
+        self.names = names
+        self.found: dict[str, Path | None] = {}
+        self._path_before = frozenset(sys.path)
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """Return where a module of the sketch is; None leaves it to Python."""
+        package, _, _ = fullname.rpartition(".")
+        if package and package not in self.found:
+            return None
+        if fullname in sys.stdlib_module_names or fullname in FOUNDATIONS:
+            return None
+        spec = PathFinder.find_spec(fullname, path if package else self._folders())
+        if spec is None or (spec.loader is None and PathFinder.find_spec(fullname, path)):
+            return None  # as in Python, a plain folder counts only if nothing else has the name
+        self.found[fullname] = Path(spec.origin) if spec.origin else None
+        if isinstance(spec.loader, SourceFileLoader):
+            spec.loader = SiblingLoader(fullname, spec.loader.path, self.names)
+        return spec
+
+    @property
+    def files(self) -> list[Path]:
+        """The files of the modules that have been found."""
+        return [path for path in self.found.values() if path]
+
+    def forget(self) -> None:
+        """Let go of the modules: the next sketch may have others of the same names."""
+        for name in self.found:
+            sys.modules.pop(name, None)
+
+    def _folders(self) -> list[str]:
+        return [str(self.folder), *(entry for entry in sys.path if entry not in self._path_before)]

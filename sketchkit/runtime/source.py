@@ -1,0 +1,127 @@
+"""A student's file as text, syntax tree and code; and what can be told before it runs."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import CodeType
+
+from sketchkit.core.errors import SketchError
+
+# Packages that sketchkit itself stands on: a file of the sketch with such a name hides them.
+FOUNDATIONS = frozenset({"numpy", "PIL", "moderngl", "glfw", "trimesh", "click", "rich", "sketchkit"})
+SMOOTHING_CALLS = ("smooth", "noSmooth")
+
+
+class HiddenModule(SketchError):
+    """A file of the sketch has the name of a module that the sketch imports.
+
+    Attributes
+    ----------
+    path, line :
+        Where the import is.
+    """
+
+    def __init__(self, name: str, path: Path, line: int) -> None:
+        whose = "Python's own" if name in sys.stdlib_module_names else "the installed"
+        super().__init__(
+            f"Your file {name}.py hides {whose} module {name}.",
+            hint=f"Give your file another name, say my_{name}.py.",
+        )
+        self.path = path
+        self.line = line
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file that has been read and found to be Python.
+
+    Attributes
+    ----------
+    path : Path
+        Absolute.
+    data : bytes
+        As it is on disk: Python itself sees to byte order marks, CRLF and `coding:` lines.
+    """
+
+    path: Path
+    data: bytes
+
+    @classmethod
+    def read(cls, path: Path) -> Source:
+        """Read a file.
+
+        Raises
+        ------
+        SyntaxError
+            If it is not Python.
+        OSError
+            If it cannot be read.
+        """
+        source = cls(path.absolute(), path.read_bytes())
+        source.code  # noqa: B018 # compiled here, so that mistakes come to light when it is read
+        return source
+
+    @cached_property
+    def tree(self) -> ast.Module:
+        """The syntax tree."""
+        return ast.parse(self.data, str(self.path))
+
+    @cached_property
+    def code(self) -> CodeType:
+        """What Python runs."""
+        return compile(self.tree, str(self.path), "exec", dont_inherit=True)
+
+    def begins_without_smoothing(self) -> bool:
+        """Tell whether the sketch asks for hard edges at its beginning.
+
+        Processing takes `noSmooth()` out of `setup()` and applies it before the canvas is made, so
+        that nothing drawn is lost by it.
+        """
+        calls = [name for name in _opening_calls(self.tree) if name in SMOOTHING_CALLS]
+        return bool(calls) and calls[-1] == "noSmooth"
+
+    def refuse_hidden_modules(self) -> None:
+        """Raise an error if the sketch would import its own file instead of a standard module.
+
+        Raises
+        ------
+        HiddenModule
+            If it would.
+        """
+        for name, line in _imported_names(self.tree):
+            is_taken = name in sys.stdlib_module_names or name in FOUNDATIONS
+            if is_taken and _module_file(self.path.parent, name):
+                raise HiddenModule(name, self.path, line)
+
+
+def _opening_calls(tree: ast.Module) -> Iterator[str]:
+    """Yield the functions called in lines of their own, in `setup()` or in a sketch without it."""
+    setup = next(
+        (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == "setup"),
+        tree,
+    )
+    for statement in setup.body:
+        match statement:
+            case ast.Expr(value=ast.Call(func=ast.Name(id=name))):
+                yield name
+
+
+def _imported_names(tree: ast.Module) -> Iterator[tuple[str, int]]:
+    """Yield the first part of the name of each module that is imported, and the line."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Import(names=aliases):
+                for alias in aliases:
+                    yield alias.name.partition(".")[0], node.lineno
+            case ast.ImportFrom(module=str(module), level=0):
+                yield module.partition(".")[0], node.lineno
+
+
+def _module_file(folder: Path, name: str) -> Path | None:
+    candidates = (folder / f"{name}.py", folder / name / "__init__.py")
+    return next((path for path in candidates if path.is_file()), None)
