@@ -17,7 +17,7 @@ from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.lights import Vector3
 from sketchkit.core.matrix import IDENTITY, Affine
 from sketchkit.core.style import NO_COLOR, SavedStyle, Style, Typography
-from sketchkit.draw.recorder import Attributes, PackError
+from sketchkit.draw.recorder import ROW, Attributes, Kind, PackError, pack_row0
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.stage import Stage
@@ -128,6 +128,9 @@ class CanvasParts:
     _curve_tightness: float
     _bezier_detail: int
     _shape: OpenShape | None
+    _has_drawn: bool
+    _was_cleared: bool
+    _is_layered: bool
 
     def __init__(self, renderer: Renderer, target: Target) -> None:
         self._renderer = renderer
@@ -153,6 +156,7 @@ class CanvasParts:
         self._curve_detail = self._bezier_detail = 20
         self._curve_tightness = 0.0
         self._shape = None
+        self._has_drawn = self._was_cleared = self._is_layered = False
         renderer.register(self)
 
     def forget_state(self) -> None:
@@ -192,6 +196,14 @@ class CanvasParts:
         """Change fields of the stage; a new section begins."""
         self._stage = replace(self._stage, **changes)  # type: ignore[arg-type] # the callers know
         self._state = -1
+
+    def _pack_whole(self, kind: Kind, color: int = NO_COLOR, link: int = 0) -> None:
+        """Record a row that concerns all pixels: a clear, or the start of a frame."""
+        state = self._state if self._state >= 0 else self._note_state()
+        recorder = self._recorder
+        recorder.make_room()
+        pack_row0(recorder.rows, recorder.row_end, kind, state, color, NO_COLOR, 0.0, link)
+        recorder.row_end += ROW
 
     def _again(
         self, call: Callable[..., None], args: Sequence[object], usage: str

@@ -14,7 +14,6 @@ from sketchkit.core.clock import Clock
 from sketchkit.core.constants import P2D
 from sketchkit.draw.vertex import U8
 
-
 SMOOTH_SAMPLES = 4  # for each pixel; Processing's driver gives 4 for every level of smooth()
 
 
@@ -96,6 +95,8 @@ class Pointer:
     previous_y: int = 0
     drawn_x: int = 0
     drawn_y: int = 0
+    event_x: int = 0
+    event_y: int = 0
     button: int = 0
     is_pressed: bool = False
     is_new: bool = True  # until it has been over the window
@@ -126,7 +127,7 @@ class SketchParts:
     folder: Path
     args: list[str]
     namespace: Mapping[str, object]
-    handlers: Mapping[str, Callable[..., object]]
+    handlers: dict[str, Callable[..., object]]
     _format: Format
     _host: Host
     _clock: Clock

@@ -18,7 +18,7 @@ class Environment(SketchParts):
     def size(
         self, width: float, height: float, renderer: str = JAVA2D, path: str | None = None
     ) -> None:
-        """Set the width and height of the canvas, and whether it is drawn on in two or three dimensions.
+        """Set the size of the canvas, and whether it is drawn on in two or three dimensions.
 
         Parameters
         ----------
@@ -234,7 +234,7 @@ class Environment(SketchParts):
         if density not in (1, 2):
             raise SketchError("pixelDensity() takes 1 or 2.", got=f"pixelDensity({shown(density)})")
         if density == 2:
-            warn_once("pixelDensity(2) has no effect: a sketch has one pixel for each of its units.")
+            warn_once("pixelDensity(2) has no effect: each unit of a sketch is one pixel.")
 
     def _must_come_before_draw(self, name: str, hint: str | None) -> None:
         if self.progress.phase is Phase.DRAW:

@@ -1,4 +1,4 @@
-"""What a handler may ask about the event it was called for: `event.getCount()`, `event.isShiftDown()`.
+"""What a handler may ask about its event: `event.getCount()`, `event.isShiftDown()`.
 
 The numbers are Processing's own.
 """

@@ -89,7 +89,7 @@ class Files(SketchParts):
         Parameters
         ----------
         filename : str
-            Written beside the sketch. Its ending says the kind: `.png`, `.jpg`, `.tif`, `.tga`, ...;
+            Written beside the sketch. Its ending says the kind: `.png`, `.jpg`, `.tif`, ...;
             without an ending it is a `.tif`.
 
         Raises
@@ -133,7 +133,8 @@ class Files(SketchParts):
         for path in places:
             if path.is_file():
                 return path
-        files = [f.name for place in places if place.parent.is_dir() for f in place.parent.iterdir()]
+        folders = [path.parent for path in places if path.parent.is_dir()]
+        files = [file.name for folder in folders for file in folder.iterdir()]
         known = nearest(Path(filename).name, files)
         raise SketchError(
             "There is no such file in the sketch's data folder, nor beside the sketch.",

@@ -12,9 +12,14 @@ from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.stacks import Stacks
 from sketchkit.api.text import Text
 from sketchkit.core.constants import P3D
+from sketchkit.draw.commands import Settling
+from sketchkit.draw.recorder import Kind
 from sketchkit.draw.resources import Target
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import U8
+
+
+BACKDROP = 0xFFCCCCCC  # what a canvas shows before the first background()
 
 
 class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Shapes3D, Camera, Text, Images):
@@ -45,7 +50,9 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Shapes3D, Camera, Text,
         self._restage(projection=self._flat_projection())
         if is_3d:
             self.perspective()
-        self.begin_frame()
+        self._place_camera(self._default_camera())
+        self._pack_whole(Kind.CLEAR, BACKDROP)
+        self._has_drawn = self._was_cleared = self._is_layered = False
 
     def begin_frame(self) -> None:
         """Put back what does not last from frame to frame: matrix, camera, lights, normal."""
@@ -55,6 +62,26 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Shapes3D, Camera, Text,
         self._place_camera(self._default_camera())
         if self._stage.lights is not None:
             self._restage(lights=None)
+        self._settle()
+
+    def _settle(self) -> None:
+        """Begin a frame over the old picture, as Processing does.
+
+        It draws straight into the window as long as each frame begins with `background()`. After
+        the first frame without one it draws into a buffer of its own, which is rendered the other
+        way up and begins each frame with the averaged old picture; at the change, each pixel has
+        only one of its samples. That shows at edges, and so it is followed here.
+        """
+        how = Settling.KEEP
+        if self._is_layered:
+            how = Settling.MEAN
+        elif self._has_drawn and not self._was_cleared:
+            self._renderer.flush()
+            self._target.turn_over()
+            self._is_layered = True
+            how = Settling.TURN
+        self._has_drawn, self._was_cleared = True, False
+        self._pack_whole(Kind.SETTLE, link=list(Settling).index(how))
 
     def end_frame(self) -> None:
         """Draw everything recorded so far."""

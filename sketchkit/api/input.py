@@ -72,7 +72,7 @@ class Input(SketchParts):
     @property
     @live
     def mousePressed(self) -> bool:
-        """Whether a button of the mouse is held down. A function of this name is called when one is.
+        """Whether a button of the mouse is held down. A function of this name is called then.
 
         Examples
         --------

@@ -151,7 +151,8 @@ class Looping(SketchParts):
         function = self.namespace.get(name) if isinstance(name, str) else name
         if callable(function):
             return function
-        known = nearest(str(name), [own for own, value in self.namespace.items() if callable(value)])
+        functions = [own for own, value in self.namespace.items() if callable(value)]
+        known = nearest(str(name), functions)
         raise SketchError(
             f"{caller}() takes one of your functions, or its name.",
             got=f"{caller}({shown(name)})",

@@ -7,7 +7,7 @@ exception. Those that Python has, too, are in `maths_overlaps`.
 
 import math
 from math import inf, isnan, nan
-from typing import overload
+from typing import Any, overload
 
 from sketchkit.core.constants import MAX_INT, MIN_INT
 from sketchkit.core.errors import wrong_numbers
@@ -69,7 +69,7 @@ def dist(x1: float, y1: float, x2: float, y2: float, /) -> float: ...
 @overload
 def dist(x1: float, y1: float, z1: float, x2: float, y2: float, z2: float, /) -> float: ...
 def dist(
-    a: float, b: float, c: float, d: float, e: float | None = None, f: float | None = None
+    a: Any, b: Any = None, c: Any = None, d: Any = None, e: Any = None, f: Any = None
 ) -> float:
     """Return the distance between two points.
 
@@ -94,7 +94,7 @@ def dist(
     try:
         if e is None:
             return _hypot(c - a, d - b)
-        return _hypot(d - a, e - b, f - c)  # type: ignore[operator]  # None - c raises
+        return _hypot(d - a, e - b, f - c)
     except TypeError:
         args = [number for number in (a, b, c, d, e, f) if number is not None]
         raise wrong_numbers("dist", args, "x1, y1, x2, y2 | x1, y1, z1, x2, y2, z2") from None

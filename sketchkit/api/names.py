@@ -28,7 +28,7 @@ OF_A_CANVAS_ALONE = frozenset({"beginDraw", "endDraw", "resize", "dispose"})
 Names = dict[str, object]
 
 
-class TwinNames(Exception):
+class TwinNamesError(Exception):
     """Two groups define the same name, so that a sketch would see only one of the two."""
 
 
@@ -62,13 +62,15 @@ def joined(groups: Mapping[str, Names]) -> Names:
 
     Raises
     ------
-    TwinNames
+    TwinNamesError
         If a name is in two groups.
     """
     names: Names = {}
     for group, members in groups.items():
         if twins := sorted(names.keys() & members.keys()):
-            raise TwinNames(f"{group} has names that another group has too: {', '.join(twins)}")
+            raise TwinNamesError(
+                f"{group} has names that another group has too: {', '.join(twins)}"
+            )
         names |= members
     return names
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import builtins
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
 
 Arguments = tuple[object, ...]
 
@@ -32,7 +31,7 @@ class Overlap:
         self.__name__ = python.__name__
         self.__doc__ = processing.__doc__
 
-    def __call__(self, *args: Any, **named: Any) -> Any:  # Any: whatever the two take and return
+    def __call__(self, *args: object, **named: object) -> object:
         """Call one of the two."""
         if not named and self._is_processing(args):
             return self._processing(*args)
@@ -50,7 +49,7 @@ class Overlap:
     def __getitem__(self, item: object) -> object:
         return self._python[item]  # type: ignore[index] # as set[int] has it
 
-    def __or__(self, other: Any) -> object:  # Any: as type.__or__ has it
+    def __or__(self, other: type) -> object:
         return self._python | other
 
     def __getattr__(self, name: str) -> object:
@@ -86,10 +85,10 @@ def overlaps(canvas: object) -> dict[str, object]:
     }
 
 
-def opener(folder: Path) -> Callable[..., Any]:  # Any: which kind of file, the mode says
+def opener(folder: Path) -> Callable[..., object]:
     """Return Python's `open()`, which finds files in the sketch's `data` folder too."""
 
-    def open(file: Any, mode: str = "r", *args: Any, **named: Any) -> Any:  # Any: as Python's own
+    def open(file: object, mode: str = "r", *args: object, **named: object) -> object:
         """Open a file; one that is read may lie in the sketch's `data` folder.
 
         Parameters
@@ -109,6 +108,6 @@ def opener(folder: Path) -> Callable[..., Any]:  # Any: which kind of file, the 
         if isinstance(file, str) and "r" in mode and not Path(file).exists():
             beside = folder / "data" / file
             file = str(beside) if beside.exists() else file
-        return builtins.open(file, mode, *args, **named)
+        return builtins.open(file, mode, *args, **named)  # type: ignore[call-overload] # Python checks
 
     return open

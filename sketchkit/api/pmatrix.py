@@ -1,230 +1,358 @@
-"""PMatrix2D and PMatrix3D: transforms as objects, whose numbers a sketch can read and set.
-
-The arithmetic is that of `core/matrix.py`: row by row, for points that are columns. Both classes
-take part in it as Mat4; a PMatrix2D keeps the six numbers that the plane needs.
-"""
+"""PMatrix2D and PMatrix3D: transforms as objects, whose numbers a sketch can read and set."""
 
 from __future__ import annotations
 
-from collections.abc import MutableSequence, Sequence
-from typing import Any, Self, overload
-
+from sketchkit.api.pmatrix_operations import MatrixOperations
 from sketchkit.api.pvector import PVector
 from sketchkit.core import matrix as mat
-from sketchkit.core.errors import SketchError, shown
 from sketchkit.core.matrix import Mat4
 
 
-class Matrix:
-    """What the two kinds of matrix have in common; each says how it stores its numbers."""
+class PMatrix2D(MatrixOperations):
+    """A transform of the plane: two rows of three numbers, m00 to m12.
 
-    __slots__ = ()
+    Parameters
+    ----------
+    *source : 6 float, a list of them, or a PMatrix2D
+        Row by row. With none it is the matrix that changes nothing.
 
-    def __init__(self, *source: Any) -> None:  # Any: numbers or a matrix, checked by use
-        if source:
-            self.set(*source)
-        else:
-            self.reset()
+    See Also
+    --------
+    PMatrix3D, applyMatrix
 
-    def reset(self) -> None:
-        """Make this the matrix that changes nothing.
+    Examples
+    --------
+    >>> m = PMatrix2D()
+    >>> m.translate(10, 20)
+    >>> m.scale(2)
+    >>> m.multX(1, 1), m.multY(1, 1)
+    (12.0, 22.0)
+    """
 
-        Examples
-        --------
-        >>> m = PMatrix2D(2, 0, 0, 0, 2, 0)
-        >>> m.reset()
-        >>> m
-        PMatrix2D(1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
-        """
-        self._become(mat.IDENTITY4)
+    __slots__ = ("m00", "m01", "m02", "m10", "m11", "m12")
+    m00: float
+    m01: float
+    m02: float
+    m10: float
+    m11: float
+    m12: float
 
-    def set(self, *source: Any) -> None:  # Any: numbers or a matrix, checked by use
-        """Take over other numbers.
+    def translate(self, x: float, y: float) -> None:
+        """Move the origin.
 
         Parameters
         ----------
-        *source : 6 or 16 float, a list of them, or a matrix
-            Row by row.
+        x, y : float
+            In the matrix's own units.
 
         Examples
         --------
         >>> m = PMatrix2D()
-        >>> m.set(2, 0, 10, 0, 2, 20)
-        >>> m.m02
-        10.0
+        >>> m.translate(10, 20)
+        >>> m
+        PMatrix2D(1.0, 0.0, 10.0, 0.0, 1.0, 20.0)
         """
-        self._become(self._read("set", source))
+        self._apply(mat.translate(mat.IDENTITY, x, y))
 
-    @overload
-    def get(self) -> Self: ...
-    @overload
-    def get(self, target: MutableSequence[float]) -> MutableSequence[float]: ...
-    def get(self, target: Any = None) -> Any:
-        """Return a copy; or put the numbers into a list.
+    def scale(self, x: float, y: float | None = None) -> None:
+        """Stretch the axes.
 
         Parameters
         ----------
-        target : list, optional
-            Is filled if it is as long as there are numbers; if not, a new list is returned.
+        x, y : float
+            The factors; with one, both are stretched by it.
 
         Examples
         --------
-        >>> PMatrix2D().get([])
-        [1.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+        >>> m = PMatrix2D()
+        >>> m.scale(2, 3)
+        >>> m
+        PMatrix2D(2.0, 0.0, 0.0, 0.0, 3.0, 0.0)
         """
-        if target is None:
-            return type(self)(self)
-        numbers = [getattr(self, name) for name in self.__slots__]
-        if len(target) != len(numbers):
-            return numbers
-        target[:] = numbers
-        return target
+        self._apply(mat.scale(mat.IDENTITY, x, x if y is None else y))
 
-    def apply(self, *source: Any) -> None:  # Any: numbers or a matrix, checked by use
-        """Multiply by another matrix, which acts on a point before this one.
+    def mult(self, source: PVector, target: PVector | None = None) -> PVector:
+        """Return where a point goes. z does not count.
 
         Parameters
         ----------
-        *source : 6 or 16 float, or a matrix
-            Row by row.
-
-        See Also
-        --------
-        preApply
+        source : PVector
+            The point.
+        target : PVector, optional
+            Takes the result in place of a new vector.
 
         Examples
         --------
-        >>> m = PMatrix2D(2, 0, 0, 0, 2, 0)
-        >>> m.apply(1, 0, 10, 0, 1, 20)
-        >>> m.m02, m.m12
-        (20.0, 40.0)
+        >>> PMatrix2D(1, 0, 10, 0, 1, 20).mult(PVector(1, 2))
+        PVector(11.0, 22.0, 0.0)
         """
-        self._become(mat.multiply4(self._mat4(), self._read("apply", source)))
+        result = PVector() if target is None else target
+        x, y = source.x, source.y
+        return result.set(self.multX(x, y), self.multY(x, y), result.z)
 
-    def preApply(self, *source: Any) -> None:  # Any: numbers or a matrix, checked by use
-        """Multiply by another matrix, which acts on a point after this one.
+    def multX(self, x: float, y: float) -> float:
+        """Return the x of where the point (x, y) goes.
+
+        Examples
+        --------
+        >>> PMatrix2D(1, 0, 10, 0, 1, 20).multX(1, 2)
+        11.0
+        """
+        return self.m00 * x + self.m01 * y + self.m02
+
+    def multY(self, x: float, y: float) -> float:
+        """Return the y of where the point (x, y) goes.
+
+        Examples
+        --------
+        >>> PMatrix2D(1, 0, 10, 0, 1, 20).multY(1, 2)
+        22.0
+        """
+        return self.m10 * x + self.m11 * y + self.m12
+
+    def _become(self, numbers: Mat4) -> None:
+        self.m00, self.m01, _, self.m02, self.m10, self.m11, _, self.m12 = numbers[:8]
+
+    def _mat4(self) -> Mat4:
+        a, b, c, d, e, f = self.m00, self.m01, self.m02, self.m10, self.m11, self.m12
+        return a, b, 0.0, c, d, e, 0.0, f, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0
+
+
+class PMatrix3D(MatrixOperations):
+    """A transform of space: four rows of four numbers, m00 to m33.
+
+    Parameters
+    ----------
+    *source : 6 or 16 float, a list of them, or a matrix
+        Row by row; six numbers are a transform of the plane. With none it is the matrix that
+        changes nothing.
+
+    See Also
+    --------
+    PMatrix2D, applyMatrix, getMatrix
+
+    Notes
+    -----
+    Processing's constructor puts the third and the sixth of six numbers into the wrong column
+    (its `set()` does not); here they move the origin, in both.
+
+    Examples
+    --------
+    >>> m = PMatrix3D()
+    >>> m.translate(10, 20, 30)
+    >>> m.mult(PVector(1, 2, 3))
+    PVector(11.0, 22.0, 33.0)
+    """
+
+    __slots__ = (
+        "m00",
+        "m01",
+        "m02",
+        "m03",
+        "m10",
+        "m11",
+        "m12",
+        "m13",
+        "m20",
+        "m21",
+        "m22",
+        "m23",
+        "m30",
+        "m31",
+        "m32",
+        "m33",
+    )
+    m00: float
+    m01: float
+    m02: float
+    m03: float
+    m10: float
+    m11: float
+    m12: float
+    m13: float
+    m20: float
+    m21: float
+    m22: float
+    m23: float
+    m30: float
+    m31: float
+    m32: float
+    m33: float
+
+    def translate(self, x: float, y: float, z: float = 0.0) -> None:
+        """Move the origin.
 
         Parameters
         ----------
-        *source : 6 or 16 float, or a matrix
-            Row by row.
-
-        See Also
-        --------
-        apply
+        x, y, z : float
+            In the matrix's own units.
 
         Examples
         --------
-        >>> m = PMatrix2D(2, 0, 0, 0, 2, 0)
-        >>> m.preApply(1, 0, 10, 0, 1, 20)
-        >>> m.m02, m.m12
-        (10.0, 20.0)
+        >>> m = PMatrix3D()
+        >>> m.translate(10, 20, 30)
+        >>> m.m03, m.m13, m.m23
+        (10.0, 20.0, 30.0)
         """
-        self._become(mat.multiply4(self._read("preApply", source), self._mat4()))
+        self._apply(mat.translate(mat.IDENTITY, x, y, z))
 
-    def rotate(self, angle: float) -> None:
-        """Turn about the z axis.
+    def scale(self, x: float, y: float | None = None, z: float | None = None) -> None:
+        """Stretch the axes.
+
+        Parameters
+        ----------
+        x, y, z : float
+            The factors: one for all, two for x and y, or three.
+
+        Examples
+        --------
+        >>> m = PMatrix3D()
+        >>> m.scale(2, 3, 4)
+        >>> m.m00, m.m11, m.m22
+        (2.0, 3.0, 4.0)
+        """
+        if y is None:
+            y = z = x
+        self._apply(mat.scale(mat.IDENTITY, x, y, 1.0 if z is None else z))
+
+    def rotate(self, angle: float, x: float = 0.0, y: float = 0.0, z: float | None = None) -> None:
+        """Turn about an axis.
 
         Parameters
         ----------
         angle : float, radians
-            Positive is clockwise on the screen.
+            Positive is clockwise as seen along the axis.
+        x, y, z : float, optional
+            The axis, of any length; the z axis if left out.
 
         Examples
         --------
-        >>> m = PMatrix2D()
-        >>> m.rotate(HALF_PI)
+        >>> m = PMatrix3D()
+        >>> m.rotate(HALF_PI, 0, 0, 1)
         >>> round(m.multY(1, 0), 6)
         1.0
         """
-        self._apply(mat.rotate_z(mat.IDENTITY, angle))
+        axis = (0.0, 0.0, 1.0) if z is None else (x, y, z)
+        self._apply(mat.rotate_axis(mat.IDENTITY, angle, *axis))
 
-    def rotateZ(self, angle: float) -> None:
-        """Turn about the z axis, as `rotate()` does.
+    def rotateX(self, angle: float) -> None:
+        """Turn about the x axis.
+
+        Parameters
+        ----------
+        angle : float, radians
+            From y towards z.
 
         Examples
         --------
-        >>> m = PMatrix2D()
-        >>> m.rotateZ(HALF_PI)
-        >>> round(m.multY(1, 0), 6)
+        >>> m = PMatrix3D()
+        >>> m.rotateX(HALF_PI)
+        >>> round(m.multZ(0, 1, 0), 6)
         1.0
         """
-        self._apply(mat.rotate_z(mat.IDENTITY, angle))
+        self._apply(mat.rotate_x(mat.IDENTITY, angle))
 
-    def shearX(self, angle: float) -> None:
-        """Slant, so that x grows with y.
-
-        Parameters
-        ----------
-        angle : float, radians
-            Between the y axis and its slanted image.
-
-        Notes
-        -----
-        Processing's PMatrix2D gets this wrong (it also moves and flattens); this one does not.
-
-        Examples
-        --------
-        >>> m = PMatrix2D()
-        >>> m.shearX(QUARTER_PI)
-        >>> round(m.multX(0, 10), 6)
-        10.0
-        """
-        self._apply(mat.shear_x(mat.IDENTITY, angle))
-
-    def shearY(self, angle: float) -> None:
-        """Slant, so that y grows with x.
+    def rotateY(self, angle: float) -> None:
+        """Turn about the y axis.
 
         Parameters
         ----------
         angle : float, radians
-            Between the x axis and its slanted image.
+            From z towards x.
 
         Examples
         --------
-        >>> m = PMatrix2D()
-        >>> m.shearY(QUARTER_PI)
-        >>> round(m.multY(10, 0), 6)
-        10.0
+        >>> m = PMatrix3D()
+        >>> m.rotateY(HALF_PI)
+        >>> round(m.multX(0, 0, 1), 6)
+        1.0
         """
-        self._apply(mat.shear_y(mat.IDENTITY, angle))
+        self._apply(mat.rotate_y(mat.IDENTITY, angle))
 
-    def invert(self) -> bool:
-        """Become the matrix that undoes this one, and return True; or False if there is none.
+    def transpose(self) -> None:
+        """Exchange rows and columns.
 
         Examples
         --------
-        >>> m = PMatrix2D(2, 0, 10, 0, 2, 20)
-        >>> m.invert()
-        True
-        >>> m
-        PMatrix2D(0.5, 0.0, -5.0, 0.0, 0.5, -10.0)
+        >>> m = PMatrix3D()
+        >>> m.translate(10, 20)
+        >>> m.transpose()
+        >>> m.m03, m.m30
+        (0.0, 10.0)
         """
-        inverse = mat.inverse4(self._mat4())
-        if inverse is not None:
-            self._become(inverse)
-        return inverse is not None
+        self._become(mat.transpose4(self._mat4()))
 
-    def determinant(self) -> float:
-        """Return the factor by which areas, or in space volumes, grow.
+    def mult(self, source: PVector, target: PVector | None = None) -> PVector:
+        """Return where a point goes, without division by its fourth number.
+
+        Parameters
+        ----------
+        source : PVector
+            The point.
+        target : PVector, optional
+            Takes the result in place of a new vector.
 
         Examples
         --------
-        >>> PMatrix2D(2, 0, 10, 0, 3, 20).determinant()
-        6.0
+        >>> m = PMatrix3D()
+        >>> m.translate(10, 20)
+        >>> m.mult(PVector(1, 2, 3))
+        PVector(11.0, 22.0, 3.0)
         """
-        return mat.determinant4(self._mat4())
+        x, y, z, _ = mat.transform4(self._mat4(), source.x, source.y, source.z)
+        return (PVector() if target is None else target).set(x, y, z)
 
-    def print(self) -> None:
-        """Print the numbers, row by row.
+    def multX(self, x: float, y: float, z: float = 0.0, w: float = 1.0) -> float:
+        """Return the x of where the point (x, y, z) goes.
 
         Examples
         --------
-        >>> PMatrix2D(1, 0, 10, 0, 1, 20).print()
-         1.0000  0.0000  10.0000
-         0.0000  1.0000  20.0000
+        >>> m = PMatrix3D()
+        >>> m.translate(10, 20, 30)
+        >>> m.multX(1, 2, 3)
+        11.0
         """
-        print(self)
+        return self.m00 * x + self.m01 * y + self.m02 * z + self.m03 * w
 
-    def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and self.get([]) == other.get([])  # type: ignore[attr-defined]
+    def multY(self, x: float, y: float, z: float = 0.0, w: float = 1.0) -> float:
+        """Return the y of where the point (x, y, z) goes.
+
+        Examples
+        --------
+        >>> m = PMatrix3D()
+        >>> m.translate(10, 20, 30)
+        >>> m.multY(1, 2, 3)
+        22.0
+        """
+        return self.m10 * x + self.m11 * y + self.m12 * z + self.m13 * w
+
+    def multZ(self, x: float, y: float, z: float = 0.0, w: float = 1.0) -> float:
+        """Return the z of where the point (x, y, z) goes.
+
+        Examples
+        --------
+        >>> m = PMatrix3D()
+        >>> m.translate(10, 20, 30)
+        >>> m.multZ(1, 2, 3)
+        33.0
+        """
+        return self.m20 * x + self.m21 * y + self.m22 * z + self.m23 * w
+
+    def multW(self, x: float, y: float, z: float = 0.0, w: float = 1.0) -> float:
+        """Return the fourth number of where the point (x, y, z) goes.
+
+        Examples
+        --------
+        >>> m = PMatrix3D()
+        >>> m.translate(10, 20, 30)
+        >>> m.multW(1, 2, 3)
+        1.0
+        """
+        return self.m30 * x + self.m31 * y + self.m32 * z + self.m33 * w
+
+    def _become(self, numbers: Mat4) -> None:
+        for name, number in zip(self.__slots__, numbers, strict=True):
+            setattr(self, name, number)
+
+    def _mat4(self) -> Mat4:
+        return tuple(self._numbers())

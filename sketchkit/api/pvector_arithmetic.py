@@ -144,7 +144,7 @@ class VectorArithmetic(VectorMeasures):
     def lerp(self, x: Point, y: float, /) -> Self: ...
     @overload
     def lerp(self, x: float, y: float, z: float, amount: float) -> Self: ...
-    def lerp(self, x: Any, y: float, z: float | None = None, amount: float = 0.0) -> Self:
+    def lerp(self, x: Any, y: float, z: float | None = None, amount: Any = None) -> Self:
         """Move the vector towards another one, and return it.
 
         Parameters

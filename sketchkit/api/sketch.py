@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -70,8 +70,13 @@ class Sketch(Environment, Looping, Input, Windows, Files, Randomness, Dates):
         self._format.smoothing = 0
         self._reformat()
 
+    def attach(self, namespace: Mapping[str, object], publish: Callable[[], None]) -> None:
+        """Belong to a program: to what its file has defined, and to what publishes live values."""
+        self.namespace = namespace
+        self._publish = publish
+
     def take_over(self) -> None:
-        """Become the sketch whose `randomSeed()` rules what belongs to none: `PVector.random2D()`."""
+        """Let `randomSeed()` rule `PVector.random2D()` too, which belongs to no sketch."""
         use_random(self._random)
 
     if not TYPE_CHECKING:  # a checker must still find misspelt attributes

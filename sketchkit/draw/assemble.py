@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.draw.commands import Clear, Draw, DrawList
+from sketchkit.draw.commands import Clear, Command, Draw, DrawList, Settle, Settling
 from sketchkit.draw.depth_sort import depth_order
 from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
 from sketchkit.draw.pipeline import Pipeline, Program
 from sketchkit.draw.recorder import Kind
-from sketchkit.draw.resources import Pixels
+from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.rows import Rows, project
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import Layer, Materials, VertexBlock
@@ -239,19 +239,25 @@ class Assembler:
         return out
 
     def _sections(self) -> list[tuple[int, int]]:
-        """Return ranges of rows: a clear by itself, or rows of one stage."""
+        """Return ranges of rows: one that concerns the whole target, or rows of one stage."""
         stage_ids = np.array([id(stage) for stage in self.rows.stages])[self.rows.states]
-        is_clear = self.rows.kinds == Kind.CLEAR
-        begins = np.ones(len(is_clear), np.bool_)
-        begins[1:] = (stage_ids[1:] != stage_ids[:-1]) | is_clear[1:] | is_clear[:-1]
+        is_whole = (self.rows.kinds == Kind.CLEAR) | (self.rows.kinds == Kind.SETTLE)
+        begins = np.ones(len(is_whole), np.bool_)
+        begins[1:] = (stage_ids[1:] != stage_ids[:-1]) | is_whole[1:] | is_whole[:-1]
         starts = np.flatnonzero(begins).tolist()
-        return list(zip(starts, [*starts[1:], len(is_clear)], strict=True))
+        return list(zip(starts, [*starts[1:], len(is_whole)], strict=True))
 
     def _draw_section(
         self, first: int, last: int, ordered: dict[Layer, _Order], out: DrawList
     ) -> None:
         stage = self.rows.stages[self.rows.states[first]]
+        if self.rows.kinds[first] == Kind.SETTLE:
+            how = list(Settling)[self.rows.links[first]]
+            out.commands.append(Settle(stage.target, how))
+            return
         if self.rows.kinds[first] == Kind.CLEAR:
+            if stage.depth_write and _is_settle(out.commands[-1:], stage.target):
+                out.commands.pop()  # the old picture does not show
             color = unpack_argb(self.rows.fills[first : first + 1])[0].tolist()
             out.commands.append(Clear(stage.target, tuple(color), stage.depth_write))
             return
@@ -344,6 +350,11 @@ def _pipeline(stage: Stage, layer: Layer, texture: Pixels | None) -> Pipeline:
         line_scale=PULL_PERSPECTIVE if stage.is_perspective else PULL_PARALLEL,
         stroke_perspective=stage.stroke_perspective,
     )
+
+
+def _is_settle(commands: list[Command], target: Target) -> bool:
+    """Return whether a command only prepares a target's old picture for what follows."""
+    return any(isinstance(command, Settle) and command.target is target for command in commands)
 
 
 def _append(out: DrawList, draw: Draw) -> None:

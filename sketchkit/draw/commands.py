@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from enum import Enum
 
 from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.resources import Target
@@ -21,6 +22,25 @@ class Clear:
     depth: bool = True
 
 
+class Settling(Enum):
+    """What becomes of the old picture when a frame begins."""
+
+    KEEP = "keep"  # it stays as it is
+    MEAN = "mean"  # all samples of a pixel get their mean
+    TURN = "turn"  # all samples get the first one's value, and the rows change places
+
+
+@dataclass(frozen=True, slots=True)
+class Settle:
+    """Begin a frame over the old picture, and reset the depth.
+
+    For TURN, the target has been turned over already: its `top_row_first` is the new one.
+    """
+
+    target: Target
+    how: Settling
+
+
 @dataclass(frozen=True, slots=True)
 class Draw:
     """Draw `count` indices of a layer's block, from `first` on."""
@@ -31,7 +51,7 @@ class Draw:
     count: int
 
 
-Command = Clear | Draw
+Command = Clear | Settle | Draw
 
 
 @dataclass(slots=True)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.core import constants as c
-from sketchkit.draw.blend import Blend
+from sketchkit.draw.added_corners import AddedCorners
 from sketchkit.draw.outlines import Dots, Outlines, add_dots, add_outlines
 from sketchkit.draw.pieces import Expansion, Fills
 from sketchkit.draw.recorder import ShapeRun
@@ -254,14 +254,14 @@ def _fill_polygon(
     found = tessellate(points, lengths)
     if not len(found.triangles):
         return
-    blend = Blend(found)
-    index = shape.first + blend.nearest(shape.count)[found.triangles]
+    added = AddedCorners(found)
+    index = shape.first + added.nearest(shape.count)[found.triangles]
     fills = _fills(rows, corners, np.full(len(found.triangles), row), index, TRIANGLE)
-    places = blend.mix(points)[found.triangles].astype(np.float32)
+    places = added.mix(points)[found.triangles].astype(np.float32)
     fills.x, fills.y, fills.z = places[..., 0], places[..., 1], places[..., 2]
-    fills.colors = blend.mix_colors(corners.fills[run])[found.triangles]
+    fills.colors = added.mix_colors(corners.fills[run])[found.triangles]
     if shape.has_normals:
-        fills.normals = blend.mix(corners.normals[run])[found.triangles].astype(np.float32)
+        fills.normals = added.mix(corners.normals[run])[found.triangles].astype(np.float32)
     if shape.texture is not None:
-        fills.uvs = blend.mix(corners.uvs[run])[found.triangles].astype(np.float32)
+        fills.uvs = added.mix(corners.uvs[run])[found.triangles].astype(np.float32)
     out.fills.append(fills)

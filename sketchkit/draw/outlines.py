@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.core.constants import ROUND
-from sketchkit.draw.blend import Blend
+from sketchkit.draw.added_corners import AddedCorners
 from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
 from sketchkit.draw.pipeline import Blend
 from sketchkit.draw.rows import ZERO, Rows
@@ -185,9 +185,9 @@ def _add_united(outlines: Outlines, weight: float, cap: int, join: int, out: Exp
         found = tessellate(points, lengths)
         if not len(found.triangles):
             continue
-        blend = Blend(found)
-        colors = blend.mix_colors(np.broadcast_to(some.colors, some.x.shape).ravel()[sources])
-        corners = blend.mix(points)[found.triangles].astype(np.float32)
+        added = AddedCorners(found)
+        colors = added.mix_colors(np.broadcast_to(some.colors, some.x.shape).ravel()[sources])
+        corners = added.mix(points)[found.triangles].astype(np.float32)
         out.fills.append(
             Fills(
                 np.full(len(corners), row),

@@ -38,6 +38,7 @@ class Kind(IntEnum):
     SPHERE = 9
     IMAGE = 10
     SHAPE = 11
+    SETTLE = 12
 
 
 # kind, state: which entry of the recorder's states; fill, stroke: packed ARGB or NO_COLOR;

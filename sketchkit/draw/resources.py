@@ -72,6 +72,10 @@ class Target:
     top_row_first: bool = True
     version: int = 0
 
+    def turn_over(self) -> None:
+        """Render it the other way up from now on."""
+        self.top_row_first = not self.top_row_first
+
     def resize(self, width: int, height: int, samples: int) -> None:
         """Give the surface another size; what was drawn on it is lost."""
         if (width, height, samples) != (self.width, self.height, self.samples):

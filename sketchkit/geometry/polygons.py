@@ -45,8 +45,8 @@ class Tessellation(NamedTuple):
     Attributes
     ----------
     triangles : (m, 3) uint32
-        Indices into the given points, followed by the new ones. They do not overlap, have an area,
-        and go round like the outline does, if it does not cross itself.
+        Indices into the given points, followed by the new ones. The triangles do not overlap and go
+        round like the outline does, or its greater part. Three points in line may make one, too.
     sources : (k, 4) int32
         Of which points each new one is a mixture; -1 for none. A new point may have new points
         before it as its sources. New points arise where edges cross, and where points coincide.
@@ -67,8 +67,8 @@ def tessellate(
     Parameters
     ----------
     points : (n, 3) float64
-        The rings one after the other, in the sketch's own coordinates: the triangles depend on
-        the direction of x. They should lie in a plane, of any tilt.
+        The rings one after the other, in a plane of any tilt. The triangles depend on where x
+        points: give the numbers of the sketch, before its matrix, and rounded to float32.
     ring_lengths : sequence of int
         How many points each ring has. The last point of a ring is joined to its first, and may
         repeat it.
@@ -90,18 +90,18 @@ def tessellate(
     >>> tessellate(square, [4]).triangles.tolist()
     [[3, 1, 2], [0, 1, 3]]
     """
-    if not np.abs(points).max(initial=0) < FARTHEST:
+    if len(points) < 3 or not np.abs(points).max() < FARTHEST:
         return _result([], [])
     rings = _project(points.tolist(), ring_lengths)
     triangles: list[Triangle] = []
     corners = _convex_corners(rings[0]) if len(rings) == 1 else None
     if corners is not None:
-        fill_monotone(corners, triangles)
+        _fill_monotone(corners, triangles)
         return _result(triangles, [])
     sweep = Sweep(rings, len(points), winding.is_inside)
     sweep.run()
     for corners in sweep.regions:
-        fill_monotone(corners, triangles)
+        _fill_monotone(corners, triangles)
     return _result(triangles, sweep.blends)
 
 
@@ -210,7 +210,7 @@ def _convex_corners(ring: Ring) -> list[Corner] | None:
     return corners
 
 
-def fill_monotone(corners: list[Corner], triangles: list[Triangle]) -> None:
+def _fill_monotone(corners: list[Corner], triangles: list[Triangle]) -> None:
     """Append the triangles of a region whose corners, sorted by place, are on two sides.
 
     The corners are worked off from the right. `waiting` are those to be joined to others still:

@@ -16,26 +16,26 @@ import sys
 import warnings
 from collections.abc import Callable
 from contextlib import ExitStack
-from functools import cache
 from pathlib import Path
 from types import ModuleType, TracebackType
+from typing import TextIO
 
 import numpy as np
 
 from sketchkit.api.live import LiveFlag
 from sketchkit.api.names import live_values, names_of
 from sketchkit.api.sketch import Sketch
-from sketchkit.core.notices import SketchWarning, warn_once
+from sketchkit.core import running
+from sketchkit.core.notices import SketchWarning
 from sketchkit.runtime.siblings import SiblingFinder
 from sketchkit.runtime.source import Source
 
 Names = dict[str, object]
 Handler = Callable[..., object]
+Tell = Callable[[Path, int, str], None]
 
 FLAGS = ("keyPressed", "mousePressed")  # both a value and a function of the sketch
 MODULE = "__main__"  # so that `if __name__ == "__main__":` holds
-
-_running: list[Program] = []
 
 
 class Program:
@@ -47,33 +47,35 @@ class Program:
         The student's file.
     sketch : Sketch
         What its functions work on.
-    on_warning : callable
-        Called with path, line and text of each remark.
+    tell : callable
+        Called with path, line and text of each remark that does not stop the sketch.
 
     Attributes
     ----------
     names : dict
-        All that the sketch sees besides its own names.
+        All that the sketch sees behind its own names.
     namespace : dict
         What the student's file has defined.
+    sources : dict
+        The sketch's file and its modules as they were read, by file name.
     """
 
-    def __init__(
-        self, source: Source, sketch: Sketch, on_warning: Callable[[str, int, str], None]
-    ) -> None:
+    def __init__(self, source: Source, sketch: Sketch, tell: Tell) -> None:
         self.source = source
         self.sketch = sketch
-        self.names: Names = vars(builtins) | names_of(sketch)
+        values = live_values(sketch)
+        own = names_of(sketch)
+        self.names: Names = vars(builtins) | own
         self.module = ModuleType(MODULE)
         self.namespace: Names = vars(self.module)
         self.namespace |= {"__builtins__": self.names, "__file__": str(source.path)}
-        self._on_warning = on_warning
-        self._live = frozenset(live_values(sketch))
-        self._own_names = 0
-        self._finder = SiblingFinder(source.path.parent, self.names)
+        self._tell = tell
+        self._running = running.Running(self.names, [name for name in own if name not in values])
+        self._unhidden = set(values)  # live values of which the sketch has not been told
+        self.sources = {str(source.path): source}
+        self._finder = SiblingFinder(source.path.parent, self.names, self.sources)
         self._restore = ExitStack()
-        sketch.namespace = self.namespace
-        sketch.bind(self.publish)
+        sketch.attach(self.namespace, self.publish)
 
     @property
     def files(self) -> list[Path]:
@@ -88,12 +90,12 @@ class Program:
         restore.callback(sys.modules.__setitem__, MODULE, sys.modules[MODULE])
         restore.callback(self._finder.forget)
         restore.callback(sys.meta_path.remove, self._finder)
-        restore.callback(_running.remove, self)
+        restore.callback(running.leave, self._running)
         restore.enter_context(warnings.catch_warnings())
         warnings.simplefilter("default", SketchWarning)
         warnings.showwarning = self._show_warning
-        _running.append(self)
-        sys.meta_path.insert(sys.meta_path.index(_path_finder()), self._finder)
+        running.enter(self._running)
+        sys.meta_path.insert(0, self._finder)
         sys.modules[MODULE] = self.module
         os.chdir(self.source.path.parent)
         self.sketch.take_over()
@@ -105,6 +107,7 @@ class Program:
         error: BaseException | None,
         traceback: TracebackType | None,
     ) -> None:
+        """Put back what was changed."""
         self._restore.close()
 
     def execute(self) -> None:
@@ -120,13 +123,14 @@ class Program:
             self.sketch.start_without_smoothing()
         exec(self.source.code, self.namespace)
         for name in FLAGS:
-            if callable(handler := self.namespace.get(name)) and not _is_flag(handler):
+            if handler := self._function(name):
                 self.sketch.handlers[name] = handler
-                del self.namespace[name]  # the value of this name is seen again; it calls this
+                del self.namespace[name]  # so that the value of this name is seen: it calls this
+        self._tell_of_hidden_values()
 
     def has(self, name: str) -> bool:
         """Tell whether the sketch defines a function."""
-        return self._handler(name) is not None
+        return self._function(name) is not None
 
     def call(self, name: str, event: object = None) -> None:
         """Call a function of the sketch, if there is one, with live values as they are now.
@@ -138,43 +142,59 @@ class Program:
         event : MouseEvent or KeyEvent, optional
             Handed over if the function takes it.
         """
-        handler = self._handler(name)
-        if handler is None:
+        function = self._function(name)
+        if function is None:
             return
         self.publish()
-        if event is not None and _takes_event(handler):
-            handler(event)
+        if event is not None and _takes_an_argument(function):
+            function(event)
         else:
-            handler()
-        if len(self.namespace) != self._own_names:
-            self._tell_of_hidden_values()
+            function()
+        self._tell_of_hidden_values()
 
     def publish(self) -> None:
         """Bring the live values up to date in what the sketch sees."""
         self.names.update(live_values(self.sketch))
 
-    def seed(self, seed: int) -> None:
-        """Let the random numbers of Python and NumPy begin at the same place at every run."""
-        random.seed(seed)
-        np.random.seed(seed)  # noqa: NPY002 # this is the generator that np.random.rand() uses
-
-    def _handler(self, name: str) -> Handler | None:
-        handler = self.sketch.handlers.get(name) or self.namespace.get(name)
-        return handler if callable(handler) and not _is_flag(handler) else None
+    def _function(self, name: str) -> Handler | None:
+        function = self.sketch.handlers.get(name) or self.namespace.get(name)
+        return function if callable(function) and not isinstance(function, LiveFlag) else None
 
     def _tell_of_hidden_values(self) -> None:
-        self._own_names = len(self.namespace)
-        for name in sorted(self._live & self.namespace.keys()):
-            self._say_once(
-                f"{name} is a variable of your own now: it no longer changes by itself. "
-                "Give it another name to have Processing's again."
-            )
+        """Tell, once, of each live value that a variable of the sketch hides and differs from."""
+        for name in self._unhidden & self.namespace.keys():
+            if not _are_the_same(self.namespace[name], self.names[name]):
+                self._unhidden.discard(name)
+                self._tell(
+                    self.source.path,
+                    self.source.line_of_binding(name),
+                    f"{name} is a variable of your own now: it no longer changes by itself.\n"
+                    "    Give it another name, to have Processing's again.",
+                )
 
-    def _say_once(self, message: str) -> None:
-        warnings.warn_explicit(
-            message,
-            SketchWarning,
-            str(self.source.path),
-            _first_binding(self.source, message.partition(" ")[0]),
-            registry=self.namespace.setdefault("__warningregistry__", {}),  # type: ignore[arg-type] # as Python makes it
-        )
+    def _show_warning(
+        self,
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
+        self._tell(Path(filename), lineno, str(message))
+
+
+def seed_everything(seed: int) -> None:
+    """Let the random numbers of Python and NumPy begin at the same place at every run."""
+    random.seed(seed)
+    np.random.seed(seed)  # noqa: NPY002 # the generator behind np.random.rand()
+
+
+def _are_the_same(own: object, live: object) -> bool:
+    return own is live or (isinstance(own, int | float | str) and own == live)
+
+
+def _takes_an_argument(function: Handler) -> bool:
+    places = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    parameters = inspect.signature(function).parameters.values()
+    return any(p.kind in (*places, inspect.Parameter.VAR_POSITIONAL) for p in parameters)

@@ -1,4 +1,4 @@
-"""The modules beside a sketch: found for it alone, with the sketch's names, and forgotten after it."""
+"""The modules beside a sketch: they see its names, and are forgotten after it."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ Names = dict[str, object]
 class SiblingLoader(SourceFileLoader):
     """Runs a module that sees the sketch's names."""
 
-    def __init__(self, name: str, path: str, names: Names) -> None:
+    def __init__(self, name: str, path: str, names: Names, sources: dict[str, Source]) -> None:
         super().__init__(name, path)
         self.names = names
+        self.sources = sources
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Return a module whose own namespace is empty, and behind it the sketch's names."""
@@ -29,7 +30,7 @@ class SiblingLoader(SourceFileLoader):
 
     def get_code(self, fullname: str) -> CodeType:
         """Return the module's code, from its source: nothing is cached beside a sketch."""
-        source = Source.read(Path(self.path))
+        source = self.sources[self.path] = Source.read(Path(self.path))
         source.refuse_hidden_modules()
         return source.code
 
@@ -39,13 +40,16 @@ class SiblingFinder(MetaPathFinder):
 
     Attributes
     ----------
+    sources : dict
+        What has been read of them, by file name.
     found : dict
         The modules that the sketch has got from here, and their files; None for a plain folder.
     """
 
-    def __init__(self, folder: Path, names: Names) -> None:
+    def __init__(self, folder: Path, names: Names, sources: dict[str, Source]) -> None:
         self.folder = folder
         self.names = names
+        self.sources = sources
         self.found: dict[str, Path | None] = {}
         self._path_before = frozenset(sys.path)
 
@@ -63,7 +67,7 @@ class SiblingFinder(MetaPathFinder):
             return None  # as in Python, a plain folder counts only if nothing else has the name
         self.found[fullname] = Path(spec.origin) if spec.origin else None
         if isinstance(spec.loader, SourceFileLoader):
-            spec.loader = SiblingLoader(fullname, spec.loader.path, self.names)
+            spec.loader = SiblingLoader(fullname, spec.loader.path, self.names, self.sources)
         return spec
 
     @property

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import ast
+import io
 import sys
+import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from types import CodeType
+from typing import NamedTuple
 
 from sketchkit.core.errors import SketchError
 
 # Packages that sketchkit itself stands on: a file of the sketch with such a name hides them.
-FOUNDATIONS = frozenset({"numpy", "PIL", "moderngl", "glfw", "trimesh", "click", "rich", "sketchkit"})
+FOUNDATIONS = frozenset(
+    {"PIL", "click", "glfw", "moderngl", "numpy", "rich", "sketchkit", "trimesh"}
+)
 SMOOTHING_CALLS = ("smooth", "noSmooth")
 
 
-class HiddenModule(SketchError):
+class HiddenModuleError(SketchError):
     """A file of the sketch has the name of a module that the sketch imports.
 
     Attributes
@@ -34,6 +39,15 @@ class HiddenModule(SketchError):
         )
         self.path = path
         self.line = line
+
+
+class Position(NamedTuple):
+    """A part of a file, as Python keeps it: lines from 1, columns in bytes from 0."""
+
+    line: int
+    end_line: int
+    column: int
+    end_column: int
 
 
 @dataclass(frozen=True)
@@ -72,6 +86,12 @@ class Source:
         return ast.parse(self.data, str(self.path))
 
     @cached_property
+    def lines(self) -> list[str]:
+        """The text, line by line."""
+        encoding, _ = tokenize.detect_encoding(io.BytesIO(self.data).readline)
+        return self.data.decode(encoding).splitlines()
+
+    @cached_property
     def code(self) -> CodeType:
         """What Python runs."""
         return compile(self.tree, str(self.path), "exec", dont_inherit=True)
@@ -90,13 +110,48 @@ class Source:
 
         Raises
         ------
-        HiddenModule
+        HiddenModuleError
             If it would.
         """
         for name, line in _imported_names(self.tree):
             is_taken = name in sys.stdlib_module_names or name in FOUNDATIONS
             if is_taken and _module_file(self.path.parent, name):
-                raise HiddenModule(name, self.path, line)
+                raise HiddenModuleError(name, self.path, line)
+
+    def line(self, number: int) -> str:
+        """Return a line, counted from 1; nothing if there is no such line."""
+        return self.lines[number - 1] if 1 <= number <= len(self.lines) else ""
+
+    def columns(self, position: Position | None) -> tuple[int, int]:
+        """Return the first and the end column of a part, in characters, within its first line."""
+        if position is None:
+            return 0, 0
+        text = self.line(position.line)
+        first = _characters(text, position.column)
+        is_one_line = position.end_line == position.line
+        return first, _characters(text, position.end_column) if is_one_line else len(text)
+
+    def expression_at(self, position: Position | None) -> ast.AST | None:
+        """Return the part of the syntax tree that lies exactly there."""
+        for node in ast.walk(self.tree):
+            if isinstance(node, ast.expr) and position == (
+                node.lineno,
+                node.end_lineno,
+                node.col_offset,
+                node.end_col_offset,
+            ):
+                return node
+        return None
+
+    def line_of_binding(self, name: str) -> int:
+        """Return the line in which the sketch first gives a name a value; 1 if there is none."""
+        for node in ast.walk(self.tree):
+            match node:
+                case ast.Name(id=bound, ctx=ast.Store()) if bound == name:
+                    return node.lineno
+                case ast.FunctionDef(name=bound) | ast.ClassDef(name=bound) if bound == name:
+                    return node.lineno
+        return 1
 
 
 def _opening_calls(tree: ast.Module) -> Iterator[str]:
@@ -125,3 +180,8 @@ def _imported_names(tree: ast.Module) -> Iterator[tuple[str, int]]:
 def _module_file(folder: Path, name: str) -> Path | None:
     candidates = (folder / f"{name}.py", folder / name / "__init__.py")
     return next((path for path in candidates if path.is_file()), None)
+
+
+def _characters(line: str, column: int) -> int:
+    """Return how many characters the first `column` bytes of a line are."""
+    return len(line.encode()[:column].decode(errors="ignore"))

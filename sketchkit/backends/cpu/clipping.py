@@ -71,8 +71,9 @@ def _cut(polygons: F32, counts: I64, side: F32) -> tuple[F32, I64]:
     is_crossing = is_used & ((distance_here >= 0) != (distance_there >= 0))
     crossings = _crossings(here, there, distance_here, distance_there)
     # Corner, crossing, corner, crossing ...: what is in use moves to the front.
-    mixed = np.stack([here, crossings], axis=2).reshape(len(polygons), -1, polygons.shape[2])
-    used = np.stack([is_kept, is_crossing], axis=2).reshape(len(polygons), -1)
+    shape = len(polygons), 2 * MOST_CORNERS
+    mixed = np.stack([here, crossings], axis=2).reshape(*shape, polygons.shape[2])
+    used = np.stack([is_kept, is_crossing], axis=2).reshape(shape)
     to_front = np.argsort(~used, axis=1, kind="stable")[:, :MOST_CORNERS, None]
     return np.take_along_axis(mixed, to_front, axis=1), used.sum(axis=1)
 

@@ -6,16 +6,17 @@ of the picture (see draw/resources.py).
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.draw.pipeline import Clip
+from sketchkit.draw.pipeline import Clip, Pipeline
 from sketchkit.draw.resources import Target
-from sketchkit.draw.vertex import U8
+from sketchkit.draw.vertex import F32, U8
 
 I64 = NDArray[np.int64]
+_Scalar = TypeVar("_Scalar", bound=np.generic)
 
 SUBPIXELS = 256  # per pixel; GL rasterisers round vertices to this grid
 DEPTH_BITS = 24
@@ -61,13 +62,17 @@ class Window(NamedTuple):
         """Whether no pixel is inside."""
         return self.left >= self.right or self.top >= self.bottom
 
-    def meet(self, left: float, top: float, right: float, bottom: float) -> Window:
-        """Return what of the window is also inside the given edges, widened to whole pixels."""
+    def part_of(self, samples: NDArray[_Scalar]) -> NDArray[_Scalar]:
+        """Return the view of the window in an array (samples, height, width, ...)."""
+        return samples[:, self.top : self.bottom, self.left : self.right]
+
+    def meet(self, left: int, top: int, right: int, bottom: int) -> Window:
+        """Return what of the window is also inside the given edges."""
         return Window(
-            max(self.left, int(np.floor(left))),
-            max(self.top, int(np.floor(top))),
-            min(self.right, int(np.ceil(right))),
-            min(self.bottom, int(np.ceil(bottom))),
+            max(self.left, left),
+            max(self.top, top),
+            min(self.right, right),
+            min(self.bottom, bottom),
         )
 
 
@@ -121,6 +126,11 @@ class Frame:
         if depth:
             self._depths = None
 
+    def settle(self) -> None:
+        """Give all samples of a pixel their mean, and make everything farthest."""
+        self.colors[...] = self._averages()
+        self._depths = None
+
     def window(self, clip: Clip | None) -> Window:
         """Return what a clip, given from the top of the picture, leaves of the frame."""
         whole = Window(0, 0, self.width, self.height)
@@ -131,11 +141,29 @@ class Frame:
 
     def picture(self) -> U8:
         """Return the average of the samples, (height, width, 4), top row of the picture first."""
+        averages = self._averages()
+        return averages if self.is_top_row_first else averages[::-1].copy()
+
+    def _averages(self) -> U8:
         averages = self.colors[0].copy()
         packed = self.colors.view(np.uint32)[..., 0]
-        mixed = np.nonzero((packed[1:] != packed[0]).any(axis=0))
-        averages[mixed] = _average(self.colors[:, *mixed])
-        return averages if self.is_top_row_first else averages[::-1].copy()
+        row, column = np.nonzero((packed[1:] != packed[0]).any(axis=0))
+        averages[row, column] = _average(self.colors[:, row, column])
+        return averages
+
+
+class Surface(NamedTuple):
+    """What a draw draws on: a frame, the part of it that the draw reaches, and how it is changed."""
+
+    frame: Frame
+    window: Window
+    pipeline: Pipeline
+
+
+def packed_depths(z: F32) -> I64:
+    """Return depths, 0 (near) to 1, as `Frame.depths` has them, with 0 in the lower half."""
+    packed: I64 = np.rint(np.clip(z, 0, 1) * float(FARTHEST)).astype(np.int64) << 32
+    return packed
 
 
 def _average(samples: U8) -> U8:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sketchkit.backends.cpu.frames import SUBPIXELS, Frame, SampleGrid, Window
+from sketchkit.backends.cpu.frames import SUBPIXELS, SampleGrid, Window
 from sketchkit.backends.cpu.triangles import F64, I64, Triangles
 
 ROWS_AT_ONCE = 1 << 15
@@ -35,20 +35,6 @@ class Spans(NamedTuple):
     right: I64
 
 
-class Samples(NamedTuple):
-    """Samples of one plane of the frame that triangles cover; arrays are (k,).
-
-    Attributes
-    ----------
-    address : int64
-        Of the sample in an array (samples, height, width).
-    """
-
-    address: I64
-    span: I64
-    column: I64
-
-
 class _Edges(NamedTuple):
     """The edges of triangles: a * x + b * y + c > 0 inside, 1/256 px; (3, n) each.
 
@@ -62,25 +48,28 @@ class _Edges(NamedTuple):
     c: F64
 
 
-def rasterize(triangles: Triangles, window: Window, grid: SampleGrid) -> Iterator[Spans]:
-    """Yield the spans of triangles inside a window, some at a time."""
-    edges = _edges(triangles)
+def rasterize(
+    triangles: Triangles, part: slice, window: Window, grid: SampleGrid
+) -> Iterator[Spans]:
+    """Yield the spans of some of the triangles inside a window, a few at a time."""
+    x, y = triangles.grid_x[:, part], triangles.grid_y[:, part]
+    edges = _edges(x, y)
     places = np.rint(np.array(grid.places) * SUBPIXELS)
     highest, lowest = places[:, 1].max(), places[:, 1].min()
-    top = np.ceil((triangles.grid_y.min(axis=0) - highest) / SUBPIXELS)
-    bottom = np.floor((triangles.grid_y.max(axis=0) - lowest) / SUBPIXELS) + 1
+    top = np.ceil((y.min(axis=0) - highest) / SUBPIXELS)
+    bottom = np.floor((y.max(axis=0) - lowest) / SUBPIXELS) + 1
     top, bottom = np.maximum(top, window.top), np.minimum(bottom, window.bottom)
     rows = np.maximum(bottom - top, 0).astype(np.int64)
-    for part in batches(rows, ROWS_AT_ONCE):
-        counts = rows[part]
-        triangle = np.repeat(np.arange(len(triangles))[part], counts)
-        row = np.repeat(top[part].astype(np.int64), counts) + ramps(counts)
-        left, right = _runs(_Edges(*(e[:, part] for e in edges)), counts, row, places)
+    for some in batches(rows, ROWS_AT_ONCE):
+        counts = rows[some]
+        triangle = np.repeat(np.arange(some.start, some.stop) + part.start, counts)
+        row = np.repeat(top[some].astype(np.int64), counts) + ramps(counts)
+        left, right = _runs(_Edges(*(e[:, some] for e in edges)), counts, row, places)
         np.clip(left, window.left, window.right, out=left)
         np.clip(right, left, window.right, out=right)
         spans = Spans(triangle, row, left.astype(np.int64), right.astype(np.int64))
-        for some in batches((right - left).max(axis=0).astype(np.int64), PIXELS_AT_ONCE):
-            yield Spans(*(column[..., some] for column in spans))
+        for few in batches((spans.right - spans.left).max(axis=0), PIXELS_AT_ONCE):
+            yield Spans(*(column[..., few] for column in spans))
 
 
 def batches(costs: I64, limit: int) -> Iterator[slice]:
@@ -100,8 +89,7 @@ def ramps(counts: I64) -> I64:
     return np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)
 
 
-def _edges(triangles: Triangles) -> _Edges:
-    x, y = triangles.grid_x, triangles.grid_y
+def _edges(x: F64, y: F64) -> _Edges:
     next_x, next_y = np.roll(x, -1, axis=0), np.roll(y, -1, axis=0)
     a, b = next_y - y, x - next_x
     is_inside = (a > 0) | ((a == 0) & (b > 0))

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import floor
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.backends.cpu.frames import SUBPIXELS, Frame
+from sketchkit.backends.cpu.frames import SUBPIXELS, Frame, Window
 from sketchkit.draw.vertex import F32
 
 F64 = NDArray[np.float64]
@@ -76,6 +77,14 @@ class Triangles:
         """Return depth, one column."""
         return self.planes(self.depths[..., None])
 
+    def within(self, window: Window) -> Window:
+        """Return the part of a window that the triangles reach."""
+        if not len(self):
+            return Window(0, 0, 0, 0)
+        left, top = self.grid_x.min() / SUBPIXELS, self.grid_y.min() / SUBPIXELS
+        right, bottom = self.grid_x.max() / SUBPIXELS, self.grid_y.max() / SUBPIXELS
+        return window.meet(floor(left), floor(top), floor(right) + 1, floor(bottom) + 1)
+
     def planes(self, values: F32) -> Planes:
         """Return the planes through values at the corners, (3, n, c)."""
         x, y = self.x[..., None], self.y[..., None]
@@ -100,7 +109,10 @@ def set_up(corners: F32, frame: Frame) -> Triangles:
     half_size = np.array([frame.width, frame.height, 1], np.float32)[:, None, None] / 2
     x, y, depths = fused(columns[:3] * reciprocal_w, half_size, half_size)
     x, y = x - np.float32(frame.grid.shift), y - np.float32(frame.grid.shift)
-    grid_x, grid_y = (np.rint(places * np.float32(SUBPIXELS)).astype(float) for places in (x, y))
+    # + 0.0: no -0.0, for the sign of a zero decides at horizontal edges (see raster).
+    grid_x, grid_y = (
+        np.rint(place * np.float32(SUBPIXELS)).astype(np.float64) + 0.0 for place in (x, y)
+    )
     area = _twice_area(grid_x, grid_y)
     kept = np.flatnonzero(area)
     is_clockwise = area[kept] > 0  # as rows count downwards

@@ -1,4 +1,4 @@
-"""The vertex stage: from a block's columns to corners in clip space, with what they carry.
+"""The vertex stage: from a block's columns to the corners of triangles in clip space.
 
 In float32 and in the order in which the shaders compute (shaders/*.vert), so that both renderers
 round a corner to the same place.
@@ -6,49 +6,54 @@ round a corner to the same place.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
-from sketchkit.backends.cpu.lighting import light_vertices
+from sketchkit.backends.cpu.lighting import light_vertices, unit_colors
 from sketchkit.backends.cpu.lines import widen_lines, widen_points
-from sketchkit.core.matrix import Mat4
+from sketchkit.backends.cpu.projection import project
+from sketchkit.draw.commands import Draw
 from sketchkit.draw.pipeline import Pipeline, Program
-from sketchkit.draw.vertex import F32, U8, Materials, VertexBlock
+from sketchkit.draw.vertex import F32, Materials, VertexBlock
 
 LIT = (Program.LIT, Program.TEXTURED_LIT)
 TEXTURED = (Program.TEXTURED, Program.TEXTURED_LIT)
 
 
-class Vertices(NamedTuple):
-    """What the vertex stage hands on; one row a vertex.
+def assemble(block: VertexBlock, draw: Draw) -> F32:
+    """Return the corners of a draw's triangles, (n, 3, 4 + k).
 
-    Attributes
-    ----------
-    clip : (n, 4) float32, clip space, +y towards the top of the picture
-    varyings : (n, 8 or 10) float32
-        The colours of front and back, not clamped, and u, v where there is a texture.
+    Four columns of clip space (+y is where the frame's rows count to), then what is interpolated:
+    the colour, not clamped; if lit, another for the back of the face; if textured, u and v.
     """
-
-    clip: F32
-    varyings: F32
-
-
-def shade_vertices(block: VertexBlock, pipeline: Pipeline) -> Vertices:
-    """Return the vertices of a block as the pipeline's program makes them."""
-    clip = _place(block, pipeline)
-    front = back = unit_colors(block.colors)
+    pipeline = draw.pipeline
+    indices = block.indices[draw.first : draw.first + draw.count].astype(np.int64)
+    first, last = (int(indices.min()), int(indices.max()) + 1) if len(indices) else (0, 0)
+    vertices = _part(block, slice(first, last))
+    clip = _places(vertices, pipeline)
+    if pipeline.target.top_row_first:
+        clip[:, 1] = -clip[:, 1]
+    columns = [clip]
     if pipeline.program in LIT:
-        front, back = light_vertices(block, pipeline.lights)
-    columns = [front, back]
-    if pipeline.program in TEXTURED and block.uvs is not None:
-        columns.append(block.uvs)
-    return Vertices(clip, np.concatenate(columns, axis=1))
+        columns += light_vertices(vertices, pipeline.lights)
+    else:
+        columns.append(unit_colors(vertices.colors))
+    if pipeline.program in TEXTURED and vertices.uvs is not None:
+        columns.append(vertices.uvs)
+    corners: F32 = np.concatenate(columns, axis=1)[indices - first]
+    return corners.reshape(-1, 3, corners.shape[1])
 
 
-def part_of(block: VertexBlock, first: int, last: int) -> VertexBlock:
-    """Return the vertices from `first` to before `last`, with no indices."""
-    rows = slice(first, last)
+def _places(block: VertexBlock, pipeline: Pipeline) -> F32:
+    """Return the vertices in Processing's clip space, (n, 4): +y is the top of the picture."""
+    if pipeline.program is Program.LINE and block.directions is not None:
+        return widen_lines(block.positions, block.directions, pipeline)
+    if pipeline.program is Program.POINT and block.offsets is not None:
+        return widen_points(block.positions, block.offsets, pipeline)
+    return project(block.positions, pipeline.projection)
+
+
+def _part(block: VertexBlock, rows: slice) -> VertexBlock:
+    """Return some of the vertices, without indices."""
     materials = block.materials
     return VertexBlock(
         positions=block.positions[rows],
@@ -66,12 +71,3 @@ def part_of(block: VertexBlock, first: int, last: int) -> VertexBlock:
         directions=None if block.directions is None else block.directions[rows],
         offsets=None if block.offsets is None else block.offsets[rows],
     )
-
-
-def _place(block: VertexBlock, pipeline: Pipeline) -> F32:
-    """Return the vertices in clip space, (n, 4)."""
-    if pipeline.program is Program.LINE and block.directions is not None:
-        return widen_lines(block.positions, block.directions, pipeline)
-    if pipeline.program is Program.POINT and block.offsets is not None:
-        return widen_points(block.positions, block.offsets, pipeline)
-    return project(block.positions, pipeline.projection)

@@ -11,7 +11,7 @@ from sketchkit.backends.gl.context import headless_context, window_context
 from sketchkit.backends.gl.programs import Programs, compile_pair, set_uniforms
 from sketchkit.backends.gl.targets import Surfaces
 from sketchkit.backends.gl.textures import Textures
-from sketchkit.draw.commands import Clear, Draw, DrawList
+from sketchkit.draw.commands import Clear, Draw, DrawList, Settle
 from sketchkit.draw.pipeline import Blend, Pipeline
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.vertex import U8
@@ -54,6 +54,7 @@ class GlBackend:
         self._surfaces = Surfaces(context)
         self._textures = Textures(context)
         self._show: moderngl.VertexArray | None = None
+        self._first_sample: moderngl.VertexArray | None = None
 
     @classmethod
     def headless(cls) -> GlBackend:
@@ -92,14 +93,17 @@ class GlBackend:
         self._buffers.upload(commands.blocks)
         bound: Pipeline | None = None
         for command in commands.commands:
-            if isinstance(command, Clear):
-                self._clear(command)
-                bound = None
-            else:
+            if isinstance(command, Draw):
                 if command.pipeline != bound:
                     self._bind(command.pipeline)
                     bound = command.pipeline
                 self._draw(command)
+                continue
+            bound = None
+            if isinstance(command, Clear):
+                self._clear(command)
+            else:
+                self._settle(command)
 
     def _clear(self, command: Clear) -> None:
         framebuffer = self._surfaces.get(command.target).framebuffer
@@ -107,6 +111,19 @@ class GlBackend:
         framebuffer.depth_mask = command.depth
         red, green, blue, alpha = (channel / 255 for channel in command.color)
         framebuffer.clear(red, green, blue, alpha, depth=1.0)
+
+    def _settle(self, command: Settle) -> None:
+        if self._first_sample is None:
+            self._first_sample = self._whole_screen("sample")
+        self.context.clear_samplers()
+        surface = self._surfaces.get(command.target)
+        surface.settle(self.context, command.how, self._first_sample)
+
+    def _whole_screen(self, fragment: str) -> moderngl.VertexArray:
+        """Return a triangle over the whole framebuffer, drawn by a fragment shader."""
+        program = compile_pair(self.context, "show", fragment)
+        program["y_sign"] = 1.0
+        return self.context.vertex_array(program, [])
 
     def _bind(self, pipeline: Pipeline) -> None:
         context, target = self.context, pipeline.target
@@ -141,7 +158,7 @@ class GlBackend:
     def present(self, target: Target, size: tuple[int, int]) -> None:
         """Show a target in the window, whose framebuffer has `size` pixels."""
         if self._show is None:
-            self._show = self.context.vertex_array(compile_pair(self.context, "show"), [])
+            self._show = self._whole_screen("show")
         picture = self._surfaces.get(target).average(self.context)
         window = self.context.detect_framebuffer(0)
         window.viewport = (0, 0, *size)

@@ -32,14 +32,14 @@ class Programs:
     def get(self, program: Program) -> moderngl.Program:
         """Return a program, compiled when it is first used."""
         if program not in self._compiled:
-            self._compiled[program] = compile_pair(self._context, program.value)
+            self._compiled[program] = compile_pair(self._context, program.value, program.value)
         return self._compiled[program]
 
 
-def compile_pair(context: moderngl.Context, name: str) -> moderngl.Program:
-    """Return the program made of `name`.vert and `name`.frag."""
+def compile_pair(context: moderngl.Context, vertex: str, fragment: str) -> moderngl.Program:
+    """Return the program made of two of our shader files, named without their endings."""
     return context.program(
-        vertex_shader=source(f"{name}.vert"), fragment_shader=source(f"{name}.frag")
+        vertex_shader=source(f"{vertex}.vert"), fragment_shader=source(f"{fragment}.frag")
     )
 
 

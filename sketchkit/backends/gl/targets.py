@@ -7,6 +7,7 @@ import weakref
 import moderngl
 import numpy as np
 
+from sketchkit.draw.commands import Settling
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
 
@@ -21,8 +22,9 @@ class Surface:
         """One sample a pixel: the average, or what is drawn on when there is only one."""
         self.depth = context.depth_renderbuffer(size, samples=_samples(target))
         self._averaged = context.framebuffer([self.image])
+        self._colors: moderngl.Texture | None = None
         if target.samples > 1:
-            self._colors = context.renderbuffer(size, 4, samples=target.samples)
+            self._colors = context.texture(size, 4, samples=target.samples)
             self.framebuffer = context.framebuffer([self._colors], self.depth)
         else:
             self.framebuffer = context.framebuffer([self.image], self.depth)
@@ -34,6 +36,38 @@ class Surface:
             context.copy_framebuffer(self._averaged, self.framebuffer)
         return self.image
 
+    def settle(
+        self, context: moderngl.Context, how: Settling, first_sample: moderngl.VertexArray
+    ) -> None:
+        """Begin a frame over the old picture, and reset the depth.
+
+        `first_sample` draws the first sample of the multisampled texture that is bound.
+        """
+        framebuffer = self.framebuffer
+        framebuffer.scissor = None
+        if how is Settling.TURN:
+            self._turn_over(context, first_sample)
+        elif how is Settling.MEAN and self._colors is not None:
+            self.average(context)
+            context.copy_framebuffer(framebuffer, self._averaged)
+        framebuffer.depth_mask = True
+        framebuffer.color_mask = (False,) * 4
+        framebuffer.clear(depth=1.0)
+        framebuffer.color_mask = (True,) * 4
+
+    def _turn_over(self, context: moderngl.Context, first_sample: moderngl.VertexArray) -> None:
+        """Let the rows change places. It happens once in a sketch: by way of the processor."""
+        if self._colors is not None:
+            self._averaged.use()
+            context.disable(moderngl.DEPTH_TEST | moderngl.BLEND)
+            self._colors.use(location=0)
+            first_sample.render(moderngl.TRIANGLES, vertices=3)
+        data = self._averaged.read(components=4, alignment=1)
+        rows = np.frombuffer(data, np.uint8).reshape(self.image.height, -1)
+        self.image.write(np.ascontiguousarray(rows[::-1]))
+        if self._colors is not None:
+            context.copy_framebuffer(self.framebuffer, self._averaged)
+
     def read(self, context: moderngl.Context) -> U8:
         """Return the picture, (h, w, 4), in the framebuffer's own order of rows."""
         self.average(context)
@@ -44,8 +78,9 @@ class Surface:
         """Let go of everything on the GPU."""
         for part in {self.framebuffer, self._averaged}:
             part.release()
-        self.image.release()
-        self.depth.release()
+        for part in (self.image, self.depth, self._colors):
+            if part is not None:
+                part.release()
 
 
 def _samples(target: Target) -> int:

@@ -13,7 +13,7 @@ I64 = NDArray[np.int64]
 CHANNEL_SHIFTS = np.array([24, 16, 8, 0])
 
 
-class Blend:
+class AddedCorners:
     """Continues columns of a polygon's corners for the corners that were added."""
 
     def __init__(self, found: Tessellation) -> None:

@@ -1,0 +1,102 @@
+"""CpuBackend: carries out draw lists with NumPy.
+
+A draw goes through the stages of a graphics card, each a module: vertices, clipping, triangles
+(set-up), raster, then visibility or layers, with shading for the colours.
+"""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.backends.cpu.clipping import clip_triangles
+from sketchkit.backends.cpu.frames import Frame, Surface
+from sketchkit.backends.cpu.layers import draw_in_layers
+from sketchkit.backends.cpu.raster import rasterize
+from sketchkit.backends.cpu.shading import Shading
+from sketchkit.backends.cpu.triangles import set_up
+from sketchkit.backends.cpu.vertices import assemble
+from sketchkit.backends.cpu.visibility import draw_visible
+from sketchkit.draw.commands import Clear, Draw, DrawList, Settle
+from sketchkit.draw.pipeline import Blend
+from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.vertex import U8, VertexBlock
+
+
+MOST_PARTS = 16  # more runs of opaque and translucent triangles than this are drawn as one
+
+
+class CpuBackend:
+    """Draws with NumPy alone."""
+
+    name = "cpu"
+
+    def __init__(self) -> None:
+        self._frames: weakref.WeakKeyDictionary[Target, Frame] = weakref.WeakKeyDictionary()
+
+    def describe(self) -> dict[str, str]:
+        """Return what draws."""
+        return {"renderer": "sketchkit's own, in NumPy", "version": np.__version__}
+
+    def execute(self, commands: DrawList) -> None:
+        """Carry out the commands in order."""
+        for command in commands.commands:
+            match command:
+                case Clear(target, color, depth):
+                    self._frame(target).clear(color, depth=depth)
+                case Settle(target):
+                    self._frame(target).settle()
+                case Draw(layer=layer):
+                    self._draw(command, commands.blocks[layer])
+
+    def read(self, target: Target) -> U8:
+        """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
+        return self._frame(target).picture()
+
+    def forget(self, resource: Pixels | Target) -> None:
+        """Let go of what is kept for a resource."""
+        if isinstance(resource, Target):
+            self._frames.pop(resource, None)
+
+    def close(self) -> None:
+        """Let go of everything."""
+        self._frames.clear()
+
+    def _frame(self, target: Target) -> Frame:
+        """Return a target's frame, made anew if its size has changed."""
+        frame = self._frames.get(target)
+        if frame is None or frame.version != target.version:
+            frame = self._frames[target] = Frame(target)
+        return frame
+
+    def _draw(self, command: Draw, block: VertexBlock) -> None:
+        """Take a draw through the stages."""
+        pipeline = command.pipeline
+        frame = self._frame(pipeline.target)
+        triangles = set_up(clip_triangles(assemble(block, command)), frame)
+        window = triangles.within(frame.window(pipeline.clip))
+        if window.is_empty:
+            return
+        shading = Shading(triangles, pipeline.program, frame.grid.centre)
+        for part, is_opaque in _parts(shading.is_opaque, pipeline.blend):
+            spans = rasterize(triangles, part, window, frame.grid)
+            draw = draw_visible if is_opaque else draw_in_layers
+            draw(spans, shading, Surface(frame, window, pipeline))
+
+
+def _parts(is_opaque: NDArray[np.bool_], mode: Blend) -> Iterator[tuple[slice, bool]]:
+    """Yield runs of triangles that hide what is behind them, and of others."""
+    if mode is Blend.REPLACE:
+        yield slice(0, len(is_opaque)), True
+        return
+    changes = np.flatnonzero(np.diff(is_opaque)) + 1
+    if mode is not Blend.BLEND or len(changes) > MOST_PARTS:
+        yield slice(0, len(is_opaque)), False
+        return
+    edges = [0, *changes.tolist(), len(is_opaque)]
+    for first, last in pairwise(edges):
+        yield slice(first, last), bool(is_opaque[first])

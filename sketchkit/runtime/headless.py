@@ -1,0 +1,141 @@
+"""A sketch without a window: the pictures of the frames that are asked for, always the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+
+from sketchkit.api.graphics import PGraphics
+from sketchkit.api.host import Host, NoWindow
+from sketchkit.api.sketch import Sketch
+from sketchkit.core.clock import Clock, VirtualClock
+from sketchkit.draw.backend import Backend
+from sketchkit.draw.renderer import Renderer
+from sketchkit.draw.resources import Target
+from sketchkit.draw.vertex import U8
+from sketchkit.runtime.loader import Program, Tell, seed_everything
+from sketchkit.runtime.loop import Loop
+from sketchkit.runtime.report import reporting
+from sketchkit.runtime.source import Source
+
+FIRST_SIZE = 100  # px, each way: what a sketch without size() has
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A picture of a sketch.
+
+    Attributes
+    ----------
+    number : int
+        frameCount, as it was asked for.
+    pixels : (h, w, 3) uint8
+        Top row first.
+    draw_calls, vertices : int
+        What the renderer was given for it.
+    elapsed_ms : float
+        How long it took to draw and to read back.
+    repeats : int or None
+        The number of the frame whose picture this is, if the sketch drew no more by then.
+    """
+
+    number: int
+    pixels: U8
+    draw_calls: int
+    vertices: int
+    elapsed_ms: float
+    repeats: int | None = None
+
+
+def render(
+    path: Path,
+    numbers: Sequence[int],
+    backend: Backend,
+    *,
+    seed: int = 0,
+    tell: Tell,
+) -> Iterator[Frame]:
+    """Yield the pictures of some frames of a sketch, in rising order.
+
+    Parameters
+    ----------
+    path : Path
+        The sketch's file.
+    numbers : sequence of int
+        Values of frameCount; 0 is the picture after `setup()`.
+    backend : Backend
+        What draws.
+    seed : int
+        Where all random numbers begin.
+    tell : callable
+        Called with file, line and text of each remark.
+
+    Raises
+    ------
+    SketchFailedError
+        If the sketch stops by a mistake; the frames before that have been yielded.
+    """
+    renderer = Renderer(backend)
+    clock = VirtualClock()
+    with opened(path, renderer, clock, seed=seed, tell=tell) as loop:
+        seed_everything(seed)
+        yield from _frames(loop, clock, renderer, sorted(set(numbers)))
+
+
+@contextmanager
+def opened(
+    path: Path,
+    renderer: Renderer,
+    clock: Clock,
+    *,
+    host: Host | None = None,
+    seed: int = 0,
+    tell: Tell,
+) -> Iterator[Loop]:
+    """Read a sketch and make it ready to begin; at the end of the block it is gone.
+
+    Raises
+    ------
+    SketchFailedError
+        If it cannot be read, or stops by a mistake in the block.
+    """
+    with reporting(path):
+        source = Source.read(path)
+    canvas = PGraphics(renderer, Target(FIRST_SIZE, FIRST_SIZE))
+    sketch = Sketch(canvas, clock=clock, host=host or NoWindow(), folder=path.parent, seed=seed)
+    program = Program(source, sketch, tell)
+    with reporting(path, program), program:
+        yield Loop(program)
+
+
+def _frames(
+    loop: Loop, clock: VirtualClock, renderer: Renderer, numbers: Sequence[int]
+) -> Iterator[Frame]:
+    canvas = loop.program.sketch.canvas
+    elapsed_s = _timed(loop.begin, renderer)
+    for number in numbers:
+        while loop.frame_count < number and loop.is_drawing:
+            clock.frame = loop.frame_count + 1
+            elapsed_s = _timed(loop.step, renderer)
+        reading = perf_counter()
+        pixels = canvas.image_data()[:, :, :3]
+        yield Frame(
+            number,
+            pixels,
+            renderer.stats.draw_calls,
+            renderer.stats.vertices,
+            round((elapsed_s + perf_counter() - reading) * 1000, 3),
+            loop.frame_count if loop.frame_count < number else None,
+        )
+    loop.end()
+
+
+def _timed(draw: Callable[[], object], renderer: Renderer) -> float:
+    """Draw, counting from zero, and return how many seconds it took."""
+    renderer.reset_stats()
+    start = perf_counter()
+    draw()
+    return perf_counter() - start

@@ -1,0 +1,97 @@
+"""The life of a sketch: its own lines, `settings()`, `setup()`, then `draw()` for each frame.
+
+It knows no window and no clock: who drives it says when the next frame is due.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+
+from sketchkit.api._sketch_parts import Phase
+from sketchkit.runtime.events import AnyEvent, dispatch
+from sketchkit.runtime.loader import Program
+
+LAST_CALLS = ("stop", "dispose")  # what Processing calls at the end, if the sketch has them
+
+
+class Loop:
+    """Takes a program through its life.
+
+    Attributes
+    ----------
+    program : Program
+        Entered by whoever made it.
+    """
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self._sketch = program.sketch
+        self._canvas = program.sketch.canvas
+        self._progress = program.sketch.progress
+        self._events: deque[AnyEvent] = deque()
+
+    @property
+    def frame_count(self) -> int:
+        """How many times `draw()` has been called."""
+        return self._progress.frame_count
+
+    @property
+    def is_finished(self) -> bool:
+        """Whether `exit()` has been called."""
+        return self._progress.is_finished
+
+    @property
+    def is_drawing(self) -> bool:
+        """Whether `draw()` will be called, by itself or after `redraw()`."""
+        progress = self._progress
+        is_due = progress.is_looping or progress.is_redraw_due
+        return is_due and not progress.is_finished and self.program.has("draw")
+
+    def begin(self) -> None:
+        """Make the picture of frame 0: the file's own lines, then `settings()` and `setup()`."""
+        self._canvas.begin_frame()
+        try:
+            self.program.execute()
+            self._progress.phase = Phase.SETTINGS
+            self.program.call("settings")
+            self._progress.phase = Phase.SETUP
+            self.program.call("setup")
+        except SystemExit:  # as exit(), but at once
+            self._progress.is_finished = True
+        self._progress.phase = Phase.DRAW
+        self._canvas.end_frame()
+
+    def post(self, event: AnyEvent) -> None:
+        """Have an event handled after the next `draw()`, or at the next step if there is none."""
+        self._events.append(event)
+
+    def step(self) -> bool:
+        """Draw a frame if one is due, and handle what has happened; tell whether there was any."""
+        if self._progress.failures:
+            raise self._progress.failures.pop(0)
+        is_drawing = self.is_drawing
+        if not (is_drawing or self._events):
+            return False
+        self._canvas.begin_frame()
+        try:
+            if is_drawing:
+                self._draw()
+            while self._events:
+                dispatch(self.program, self._events.popleft())
+        except SystemExit:
+            self._progress.is_finished = True
+        self._canvas.end_frame()
+        return True
+
+    def end(self) -> None:
+        """Call what the sketch wants to be called at its end."""
+        for name in LAST_CALLS:
+            self.program.call(name)
+
+    def _draw(self) -> None:
+        pointer = self._sketch.pointer
+        self._progress.frame_count += 1
+        pointer.previous_x, pointer.previous_y = pointer.drawn_x, pointer.drawn_y
+        self.program.call("draw")
+        pointer.drawn_x, pointer.drawn_y = pointer.x, pointer.y
+        self._progress.is_redraw_due = False

@@ -1,0 +1,1 @@
+"""Errors in words for someone who is learning to program: a file for each family of them."""

@@ -1,0 +1,178 @@
+"""Names, attributes and modules that are not there, or have no value yet."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import re
+import sys
+from collections.abc import Iterable, Iterator
+
+from sketchkit.core.errors import nearest
+from sketchkit.runtime.mistakes.mistake import Explanation, Mistake, a_kind
+
+# What other languages write, and what to write here.
+FOREIGN_WORDS = {
+    "true": "True",
+    "false": "False",
+    "null": "None",
+    "NULL": "None",
+    "undefined": "None",
+    "boolean": "bool",
+    "String": "str",
+    "ArrayList": "list",
+    "HashMap": "dict",
+    "Math": "sin(), cos(), sqrt() without Math.",
+    "System": "println()",
+    "console": "println()",
+    "xrange": "range",
+    "raw_input": "input",
+    "unicode": "str",
+    "long": "int",
+}
+
+
+def explain_name(mistake: Mistake) -> Explanation | None:
+    """Explain a name that nothing defines."""
+    name = getattr(mistake.error, "name", None)
+    if not isinstance(name, str):
+        return None
+    problem = f"{name} is not defined."
+    if name in FOREIGN_WORDS:
+        return Explanation(problem, f"Python writes {FOREIGN_WORDS[name]}")
+    functions = _functions_that_set(name, mistake)
+    if functions:
+        function = functions[0]
+        return Explanation(
+            f"{name} is not defined here: it belongs to {function}() alone.",
+            f"Write global {name} as the first line of {function}(), to share it.",
+        )
+    if later := _line_below(name, mistake):
+        return Explanation(f"{name} is not defined yet: it gets its value in line {later}.")
+    known = nearest(name, [*mistake.own, *_visible(mistake.names)])
+    return Explanation(problem, f"Do you mean {known}?" if known else None)
+
+
+def explain_unbound_local(mistake: Mistake) -> Explanation | None:
+    """Explain a variable that a function sets, and so takes for its own, but reads before."""
+    found = re.search(r"local variable '(\w+)'", mistake.text)
+    if not found:
+        return None
+    name, function = found[1], mistake.function or "the function"
+    if name in (mistake.frame.f_globals if mistake.frame else ()):
+        return Explanation(
+            f"{name} is set in {function}(), so it is a variable of {function}() alone, "
+            "and has no value yet.",
+            f"Write global {name} as the first line of {function}().",
+        )
+    if name in mistake.names:
+        return Explanation(
+            f"{name} is set in {function}(), so it is a variable of {function}() alone, "
+            f"and hides sketchkit's {name}.",
+            "Give your variable another name.",
+        )
+    return Explanation(
+        f"{name} has no value yet at this line of {function}().",
+        "Perhaps it gets one only inside an if or a loop that was not run.",
+    )
+
+
+def explain_attribute(mistake: Mistake) -> Explanation | None:
+    """Explain what stands behind a dot and is not there."""
+    error = mistake.error
+    name, owner = getattr(error, "name", None), getattr(error, "obj", None)
+    if not isinstance(name, str):
+        return None
+    if owner is None:
+        what = mistake.written(getattr(mistake.expression, "value", None)) or "The value"
+        return Explanation(
+            f"{what} is None, and None has no {name}.",
+            "Is the function that should have given a value without a return?",
+        )
+    if name in FOREIGN_METHODS:
+        hint = f"Python writes {FOREIGN_METHODS[name]}."
+        return Explanation(f"{_the(owner)} has no {name}.", hint)
+    known = nearest(name, [other for other in dir(owner) if not other.startswith("_")])
+    return Explanation(f"{_the(owner)} has no {name}.", f"Do you mean {known}?" if known else None)
+
+
+# What Java writes behind a dot, and Python's way.
+FOREIGN_METHODS = {
+    "length": "len(...)",
+    "size": "len(...)",
+    "add": "values.append(item)",
+    "get": "values[i]",
+    "equals": "a == b",
+    "charAt": "text[i]",
+    "substring": "text[first:end]",
+    "indexOf": "values.index(item)",
+    "contains": "item in values",
+    "toString": "str(value)",
+    "has_key": "key in dictionary",
+    "iteritems": "dictionary.items()",
+}
+
+
+def explain_import(mistake: Mistake) -> Explanation | None:
+    """Explain a module that is not there, or that lacks a name."""
+    name = getattr(mistake.error, "name", None)
+    if isinstance(mistake.error, ModuleNotFoundError) and isinstance(name, str):
+        known = nearest(name, [*sys.stdlib_module_names, "numpy"])
+        hint = f"Do you mean {known}?" if known else f"If it is a package: pip install {name}"
+        return Explanation(
+            f"There is no module {name}: no {name}.py beside the sketch, and none installed.", hint
+        )
+    found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", mistake.text)
+    if not found:
+        return None
+    name, module = found.groups()
+    known = nearest(name, dir(sys.modules.get(module, object())))
+    if module == "sketchkit":
+        known = nearest(name, _visible(mistake.names))
+    return Explanation(
+        f"The module {module} has no {name}.", f"Do you mean {known}?" if known else None
+    )
+
+
+def _functions_that_set(name: str, mistake: Mistake) -> list[str]:
+    tree = mistake.source.tree if mistake.source else ast.Module([], [])
+    return [
+        function.name
+        for function in ast.walk(tree)
+        if isinstance(function, ast.FunctionDef)
+        and function.name != mistake.function
+        and name in _bound_in(function)
+    ]
+
+
+def _bound_in(function: ast.FunctionDef) -> Iterator[str]:
+    for node in ast.walk(function):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+
+
+def _line_below(name: str, mistake: Mistake) -> int:
+    """Return a later line of the file itself that would give the name a value, or 0."""
+    if mistake.source is None or mistake.frame is None or mistake.function:
+        return 0
+    line = mistake.source.line_of_binding(name)
+    return line if line > mistake.frame.f_lineno else 0
+
+
+def _visible(names: Iterable[str]) -> list[str]:
+    """Return names that a student may have meant: not Python's exceptions and inner names."""
+    errors = {name for name, value in vars(builtins).items() if _is_exception(value)}
+    return [name for name in names if not name.startswith("_") and name not in errors]
+
+
+def _is_exception(value: object) -> bool:
+    return isinstance(value, type) and issubclass(value, BaseException)
+
+
+def _the(owner: object) -> str:
+    kind = a_kind(owner)
+    if isinstance(owner, type):
+        return f"The class {owner.__name__}"
+    if kind == "a module":
+        return f"The module {getattr(owner, '__name__', '')}"
+    return kind[0].upper() + kind[1:]
