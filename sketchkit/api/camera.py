@@ -8,10 +8,11 @@ from sketchkit.api._parts import Block, CanvasParts
 from sketchkit.core import constants as c
 from sketchkit.core import matrix as mat
 from sketchkit.core.errors import SketchError
+from sketchkit.core.float32 import f32
 from sketchkit.core.notices import warn_once
 
-FIELD_OF_VIEW = math.pi / 3
-NEAR, FAR = 0.1, 10.0  # clipping planes of the default camera, in distances of its eye
+FIELD_OF_VIEW = f32(60 * f32(f32(math.pi) / 180))  # radians, as Processing rounds it
+FAR = 10.0  # the default camera's clipping planes: its eye's distance times, and by, this
 
 # What a hint changes of the stage. Those that are not here concern Java's own drivers and windows:
 # they are accepted and change nothing.
@@ -72,7 +73,7 @@ class Camera(CanvasParts):
 
     def _default_eye(self) -> float:
         """Return how far the default eye is from the canvas."""
-        return self._target.height / 2 / math.tan(FIELD_OF_VIEW / 2)
+        return mat.eye_distance(self._target.height, FIELD_OF_VIEW)
 
     def _default_camera(self) -> mat.Affine:
         """Return the modelview with which a frame begins."""
@@ -138,7 +139,8 @@ class Camera(CanvasParts):
         """
         if not numbers:
             eye = self._default_eye()
-            numbers = (FIELD_OF_VIEW, self._target.width / self._target.height, eye * NEAR, eye * FAR)
+            aspect = self._target.width / self._target.height
+            numbers = (FIELD_OF_VIEW, aspect, eye / FAR, eye * FAR)
         try:
             fov, aspect, near, far = (value + 0.0 for value in numbers)
         except (TypeError, ValueError):
@@ -244,8 +246,14 @@ class Camera(CanvasParts):
         >>> hint(ENABLE_DEPTH_TEST)
         """
         changes = STAGE_HINTS.get(which, {})
-        if any(getattr(self._stage, name) != value for name, value in changes.items()):
-            self._restage(**changes)
+        if all(getattr(self._stage, name) == value for name, value in changes.items()):
+            return
+        old = self._stage
+        self._restage(**changes)
+        if "stroke_perspective" in changes:
+            # Processing draws the strokes that are waiting with the new value, not with the old.
+            self._recorder.replace_stage(old, self._stage)
+            self._restage()
 
     def screenX(self, x: float, y: float, z: float = 0.0) -> float:
         """Return the x on the canvas at which a point is drawn.

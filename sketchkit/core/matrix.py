@@ -11,6 +11,8 @@ operation touches only the numbers that it changes: these run at every call of a
 from math import cos, sin, sqrt, tan
 from typing import TypeAlias
 
+from sketchkit.core.float32 import f32
+
 Vector: TypeAlias = tuple[float, float, float]
 Affine: TypeAlias = tuple[float, ...]  # 12
 Mat4: TypeAlias = tuple[float, ...]  # 16
@@ -224,30 +226,42 @@ def look_at(eye: Vector, centre: Vector, up: Vector) -> Affine:
     return translate((*x, 0.0, *y, 0.0, *z, 0.0), -ex, -ey, -ez)
 
 
+# Cameras and projections follow Processing's 32-bit steps: where two strokes coincide, the last bit
+# of the projection decides which of them shows.
+
+
+def eye_distance(height: float, fov: float) -> float:
+    """Return how far an eye must be to see `height` at the angle `fov`, in radians."""
+    return f32(f32(height / 2) / f32(tan(f32(fov / 2))))
+
+
 def perspective(fov: float, aspect: float, near: float, far: float) -> Mat4:
     """Return the projection of a lens that opens `fov` radians from top to bottom."""
-    top = near * tan(fov / 2)
-    return frustum(-top * aspect, top * aspect, -top, top, near, far)
+    top = f32(f32(near) * f32(tan(f32(f32(fov) / 2))))
+    side = f32(top * f32(aspect))
+    return frustum(-side, side, -top, top, near, far)
 
 
 def frustum(left: float, right: float, bottom: float, top: float, near: float, far: float) -> Mat4:
     """Return the projection that sees through the given window in the plane at `near`."""
-    width, height, depth = right - left, top - bottom, far - near
+    left, right, bottom, top, near, far = map(f32, (left, right, bottom, top, near, far))
+    width, height, depth = f32(right - left), f32(top - bottom), f32(far - near)
     return (
-        *(2 * near / width, 0.0, (right + left) / width, 0.0),
-        *(0.0, -2 * near / height, (top + bottom) / height, 0.0),
-        *(0.0, 0.0, -(far + near) / depth, -2 * near * far / depth),
+        *(f32(2 * near / width), 0.0, f32(f32(right + left) / width), 0.0),
+        *(0.0, f32(-2 * near / height), f32(f32(top + bottom) / height), 0.0),
+        *(0.0, 0.0, f32(-f32(far + near) / depth), f32(-f32(2 * near * far) / depth)),
         *(0.0, 0.0, -1.0, 0.0),
     )
 
 
 def ortho(left: float, right: float, bottom: float, top: float, near: float, far: float) -> Mat4:
     """Return the projection of a box without perspective, about the camera's axis."""
-    width, height, depth = right - left, top - bottom, far - near
+    left, right, bottom, top, near, far = map(f32, (left, right, bottom, top, near, far))
+    width, height, depth = f32(right - left), f32(top - bottom), f32(far - near)
     return (
-        *(2 / width, 0.0, 0.0, -(right + left) / width),
-        *(0.0, -2 / height, 0.0, -(top + bottom) / height),
-        *(0.0, 0.0, -2 / depth, -(far + near) / depth),
+        *(f32(2 / width), 0.0, 0.0, f32(-f32(right + left) / width)),
+        *(0.0, f32(-2 / height), 0.0, f32(-f32(top + bottom) / height)),
+        *(0.0, 0.0, f32(-2 / depth), f32(-f32(far + near) / depth)),
         *(0.0, 0.0, 0.0, 1.0),
     )
 

@@ -283,8 +283,9 @@ class _Order:
         start = int(self.ends[begin - 1]) if begin else 0
         run = slice(start, int(self.ends[end - 1]))
         triangles = block.indices[run].reshape(-1, 3)
-        x, y, z, w = project(stage.projection, *block.positions[triangles].T.astype(np.float64))
-        order = depth_order(np.stack([x / w, y / w, -z / w], axis=2).transpose(1, 0, 2))
+        projection = tuple(np.float32(value) for value in stage.projection)
+        x, y, z, w = project(projection, *np.moveaxis(block.positions[triangles], 2, 0))
+        order = depth_order(np.stack([x / w, y / w, -z / w], axis=2))
         block.indices[run] = triangles[order].ravel()
         if self.textures is not None:
             self._sort_textures(begin, end, start, order)

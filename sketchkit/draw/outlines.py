@@ -15,13 +15,8 @@ from sketchkit.draw.rows import ZERO, Rows
 from sketchkit.geometry.circles import fan, side_count, unit_circle
 from sketchkit.geometry.polygons import tessellate
 from sketchkit.geometry.shapes import SAME
-from sketchkit.geometry.strokes import (
-    Pieces,
-    Polylines,
-    stroke_contours,
-    thin_stroke,
-    wide_stroke,
-)
+from sketchkit.geometry.stroke_rings import stroke_rings
+from sketchkit.geometry.strokes import Pieces, Polylines, thin_stroke, wide_stroke
 
 F32 = NDArray[np.float32]
 I64 = NDArray[np.int64]
@@ -31,6 +26,7 @@ THIN = 2.0  # px: strokes below it have neither caps nor joins
 SEGMENT = np.array([(0, 1, 2), (2, 0, 3)])
 SQUARE_X = np.array([[0, -1, 1, 1, -1]], np.float32) / 2
 SQUARE_Y = np.array([[0, -1, -1, 1, 1]], np.float32) / 2
+OPAQUE = 255
 PAINTS_ONCE = (Blend.BLEND, Blend.REPLACE, Blend.LIGHTEST, Blend.DARKEST)
 
 
@@ -148,18 +144,20 @@ def _add_wide(rows: Rows, outlines: Outlines, out: Expansion) -> None:
     states = rows.states[outlines.rows]
     styles = [rows.styles[state] for state in states]
     blends = [rows.stages[state].blend for state in states]
-    opaque = (outlines.colors >> 24).min(axis=1) == 255
-    for i, blend in enumerate(blends):
-        opaque[i] &= blend in PAINTS_ONCE
-    single = outlines.x.shape[1] == 2
+    # Where pieces overlap does not show if they are opaque and of one colour, or if there is one.
+    may_overlap = ((outlines.colors >> 24).min(axis=1) == OPAQUE) & (
+        outlines.colors == outlines.colors[:, :1]
+    ).all(axis=1)
+    may_overlap &= np.array([blend in PAINTS_ONCE for blend in blends])
+    may_overlap |= outlines.x.shape[1] == 2
     keys = [
-        (float(weight), style.stroke_cap, style.stroke_join, bool(once) or single)
-        for weight, style, once in zip(outlines.weights[:, 0], styles, opaque, strict=True)
+        (float(weight), style.stroke_cap, style.stroke_join, bool(free))
+        for weight, style, free in zip(outlines.weights[:, 0], styles, may_overlap, strict=True)
     ]
     for key in dict.fromkeys(keys):
-        weight, cap, join, may_overlap = key
+        weight, cap, join, is_free = key
         some = outlines.take(np.array([other == key for other in keys]))
-        if may_overlap:
+        if is_free:
             _add_overlapping(some, weight, cap, join, out)
         else:
             _add_united(some, weight, cap, join, out)
@@ -180,7 +178,7 @@ def _add_united(outlines: Outlines, weight: float, cap: int, join: int, out: Exp
     for row in np.unique(outlines.rows):
         some = outlines.take(outlines.rows == row)
         lines = Polylines(some.x, some.y, some.is_closed)
-        x, y, sources, lengths = stroke_contours(lines, weight, cap, join)
+        x, y, sources, lengths = stroke_rings(lines, weight, cap, join)
         points = np.stack([x, y, np.zeros_like(x)], axis=1).astype(np.float64)
         found = tessellate(points, lengths)
         if not len(found.triangles):

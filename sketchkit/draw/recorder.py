@@ -175,6 +175,10 @@ class Recorder:
         self.matrices.extend(modelview)
         return len(self.styles) - 1
 
+    def replace_stage(self, old: Stage, new: Stage) -> None:
+        """Let the rows that were recorded with one stage be drawn with another."""
+        self.stages[:] = [new if stage is old else stage for stage in self.stages]
+
     def make_room(self) -> bool:
         """Return whether a buffer was full; it is twice as long afterwards."""
         grown = False

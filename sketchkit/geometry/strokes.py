@@ -110,7 +110,7 @@ def _pieces(x: list[F32], y: list[F32], points: list[I64], line_count: int) -> P
     )
 
 
-def _offsets(lines: Polylines, weight: float) -> tuple[F32, F32]:
+def offsets_of(lines: Polylines, weight: float) -> tuple[F32, F32]:
     """Return half the weight across each segment, (n, s): its direction turned by a right angle."""
     ux, uy, _ = _directions(lines)
     half = np.float32(weight / 2)
@@ -123,20 +123,20 @@ def wide_stroke(lines: Polylines, weight: float, cap: int, join: int) -> list[Pi
     A fan's corners are its centre and its rim.
     """
     (x0, y0), (x1, y1) = lines.ends()
-    mx, my = _offsets(lines, weight)
+    mx, my = offsets_of(lines, weight)
     begin, end = _segment_points(lines)
     count = len(lines.x)
     quads = [
         _pieces([x0 + mx, x1 + mx, x1, x0], [y0 + my, y1 + my, y1, y0], [begin, end, end, begin], count),
         _pieces([x0, x1, x1 - mx, x0 - mx], [y0, y1, y1 - my, y0 - my], [begin, end, end, begin], count),
     ]
-    fans = [] if (joints := _joints(lines, mx, my)) is None else [_join(joints, weight, join)]
+    fans = [] if (joints := joints_of(lines, mx, my)) is None else [join_fans(joints, weight, join)]
     if not lines.is_closed and cap in (ROUND, PROJECT):
-        fans += [_cap(lines, mx, my, weight, cap, at_end=end) for end in (False, True)]
+        fans += [cap_fans(lines, mx, my, weight, cap, at_end=end) for end in (False, True)]
     return quads + fans
 
 
-class _Joints(NamedTuple):
+class Joints(NamedTuple):
     """Where two segments meet: centre, and the two corners on the outer side, (n, j) each.
 
     `side` is +1 where the outer side is that of the offset (mx, my), -1 where it is the other.
@@ -153,7 +153,7 @@ class _Joints(NamedTuple):
     count: int
 
 
-def _joints(lines: Polylines, mx: F32, my: F32) -> _Joints | None:
+def joints_of(lines: Polylines, mx: F32, my: F32) -> Joints | None:
     """Return the joints of polylines; None if there are none."""
     if lines.is_closed:
         before, after = np.roll(np.arange(mx.shape[1]), 1), np.arange(mx.shape[1])
@@ -167,7 +167,7 @@ def _joints(lines: Polylines, mx: F32, my: F32) -> _Joints | None:
     # of the directions. It tells on which side the line bends, and so where the gap is.
     side = np.where(mx[:, before] * my[:, after] < my[:, before] * mx[:, after], -1, 1)
     side = side.astype(np.float32)
-    return _Joints(
+    return Joints(
         cx,
         cy,
         cx + side * mx[:, before],
@@ -180,7 +180,7 @@ def _joints(lines: Polylines, mx: F32, my: F32) -> _Joints | None:
     )
 
 
-def _join(joints: _Joints, weight: float, join: int) -> Pieces:
+def join_fans(joints: Joints, weight: float, join: int) -> Pieces:
     """Return a fan around each joint."""
     cx, cy, ax, ay, bx, by, _, points, count = joints
     rim_x, rim_y = [ax, bx], [ay, by]
@@ -193,7 +193,7 @@ def _join(joints: _Joints, weight: float, join: int) -> Pieces:
     return _pieces([cx, *rim_x], [cy, *rim_y], [points] * (len(rim_x) + 1), count)
 
 
-def _miter_tip(joints: _Joints, weight: float) -> tuple[F32, F32]:
+def _miter_tip(joints: Joints, weight: float) -> tuple[F32, F32]:
     """Return where the outer edges meet; the second corner where the tip would be too long."""
     cx, cy, ax, ay, bx, by, *_ = joints
     # The tip lies on the bisector of the two corners a and b, at (a + b) / (1 + cos).
@@ -207,13 +207,13 @@ def _miter_tip(joints: _Joints, weight: float) -> tuple[F32, F32]:
     return np.where(fits, cx + tip_x, bx), np.where(fits, cy + tip_y, by)
 
 
-def _bend(joints: _Joints) -> F32:
+def _bend(joints: Joints) -> F32:
     """Return a number above 0 where the way from a to b around the centre goes from x to y."""
     cx, cy, ax, ay, bx, by, *_ = joints
     return (ax - cx) * (by - cy) - (ay - cy) * (bx - cx)
 
 
-def _round_rim(joints: _Joints, weight: float, bend: F32) -> tuple[list[F32], list[F32]]:
+def _round_rim(joints: Joints, weight: float, bend: F32) -> tuple[list[F32], list[F32]]:
     """Return the points of a round join between its corners, from a to b, (n, j) each.
 
     They are the corners of a fixed polygon around the joint that lie beyond the line from a to b;
@@ -235,14 +235,14 @@ def _round_rim(joints: _Joints, weight: float, bend: F32) -> tuple[list[F32], li
     return [x[..., i] for i in range(sides)], [y[..., i] for i in range(sides)]
 
 
-def _cap(lines: Polylines, mx: F32, my: F32, weight: float, cap: int, *, at_end: bool) -> Pieces:
+def cap_fans(lines: Polylines, mx: F32, my: F32, weight: float, cap: int, *, at_end: bool) -> Pieces:
     """Return a fan around one end of each line."""
     column = slice(-1, None) if at_end else slice(0, 1)
     sign = np.float32(1 if at_end else -1)
     cx, cy = lines.x[:, column], lines.y[:, column]
     ox, oy = sign * mx[:, column], sign * my[:, column]
     point = np.array([lines.x.shape[1] - 1 if at_end else 0])
-    ends = _Joints(cx, cy, cx + ox, cy + oy, cx - ox, cy - oy, np.ones_like(cx), point, len(cx))
+    ends = Joints(cx, cy, cx + ox, cy + oy, cx - ox, cy - oy, np.ones_like(cx), point, len(cx))
     if cap == ROUND:
         arc_x, arc_y = _round_rim(ends, weight, np.zeros_like(cx))
         x = [cx, ends.ax, *arc_x, ends.bx]
@@ -252,78 +252,3 @@ def _cap(lines: Polylines, mx: F32, my: F32, weight: float, cap: int, *, at_end:
     x = [cx, cx + ox, cx + ox - oy, cx - ox - oy, cx - ox]
     y = [cy, cy + oy, cy + oy + ox, cy - oy + ox, cy - oy]
     return _pieces(x, y, [point] * 5, len(cx))
-
-
-def stroke_contours(
-    lines: Polylines, weight: float, cap: int, join: int
-) -> tuple[F32, F32, I64, list[int]]:
-    """Return the same stroke as rings, whose inside by the non-zero rule is painted once.
-
-    Returns
-    -------
-    x, y : (p,) float32
-    sources : (p,) int64
-        Which point (of all lines, end to end) each corner takes its colour from.
-    lengths : list of int
-        How many corners each ring has.
-    """
-    mx, my = _offsets(lines, weight)
-    joints = _joints(lines, mx, my)
-    fans = _join(joints, weight, join) if joints is not None else None
-    caps = [_cap(lines, mx, my, weight, cap, at_end=at_end) for at_end in (False, True)]
-    rings: list[list[_Corner]] = []
-    for line in range(len(lines.x)):
-        left, right = _sides(lines, line, (mx, my), joints, fans)
-        if lines.is_closed:
-            rings += [left, right[::-1]]
-            continue
-        start, end = (_rim(pieces, line) for pieces in caps)
-        if cap not in (ROUND, PROJECT):
-            start, end = [], []
-        rings.append([*left, *end, *right[::-1], *start])
-    corners = [corner for ring in rings for corner in ring]
-    x, y, sources = (np.array(column) for column in zip(*corners, strict=True))
-    return x.astype(np.float32), y.astype(np.float32), sources, [len(ring) for ring in rings]
-
-
-_Corner = tuple[float, float, int]  # x, y, and the point that gives the colour
-
-
-def _rim(fans: Pieces, row: int) -> list[_Corner]:
-    """Return the rim of one fan without corners that repeat."""
-    point = int(fans.points[row, 0])
-    rim = list(zip(fans.x[row, 1:].tolist(), fans.y[row, 1:].tolist(), strict=True))
-    return [(x, y, point) for x, y in dict.fromkeys(rim)]
-
-
-def _sides(
-    lines: Polylines, line: int, offset: tuple[F32, F32], joints: _Joints | None, fans: Pieces | None
-) -> tuple[list[_Corner], list[_Corner]]:
-    """Return the corners along both sides of one line, from its start to its end.
-
-    On the outer side of a joint they follow the fan, on the inner one they pass its centre.
-    """
-    chains: tuple[list[_Corner], list[_Corner]] = ([], [])
-    count = lines.x.shape[1]
-    mx, my = offset[0][line], offset[1][line]
-
-    def at(point: int, segment: int, sign: int) -> _Corner:
-        x, y = lines.x[line, point], lines.y[line, point]
-        return float(x + sign * mx[segment]), float(y + sign * my[segment]), point
-
-    for sign, chain in zip((1, -1), chains, strict=True):
-        if not lines.is_closed:
-            chain.append(at(0, 0, sign))
-        for j in range(0 if joints is None or fans is None else joints.cx.shape[1]):
-            assert joints is not None and fans is not None
-            point = int(joints.points[j])
-            if joints.side[line, j] == sign:
-                chain.extend(_rim(fans, line * joints.cx.shape[1] + j))
-            else:
-                centre = float(lines.x[line, point]), float(lines.y[line, point]), point
-                chain.extend([at(point, point - 1, sign), centre, at(point, point, sign)])
-        if not lines.is_closed:
-            chain.append(at(count - 1, count - 2, sign))
-    offset_points = line * count
-    left, right = ([(x, y, p + offset_points) for x, y, p in chain] for chain in chains)
-    return left, right

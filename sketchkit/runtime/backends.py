@@ -15,7 +15,7 @@ from sketchkit.draw.backend import Backend
 
 # Where each renderer without a window is made.
 MAKERS = {
-    "gl": ("sketchkit.backends.gl.context", "GlBackend.headless"),
+    "gl": ("sketchkit.backends.gl.executor", "GlBackend.headless"),
     "cpu": ("sketchkit.backends.cpu.executor", "CpuBackend"),
 }
 RENDERERS = tuple(MAKERS)
@@ -63,5 +63,5 @@ def _open(name: str) -> Backend:
         for part in path.split("."):
             maker = getattr(maker, part)
         return cast(Callable[[], Backend], maker)()
-    except ImportError as reason:
+    except (ImportError, RuntimeError) as reason:
         raise NoRendererError(f"{reason}") from reason

@@ -9,7 +9,7 @@ from pathlib import Path
 from time import perf_counter
 
 from sketchkit.api.graphics import PGraphics
-from sketchkit.api.host import Host, NoWindow
+from sketchkit.api.host import Host
 from sketchkit.api.sketch import Sketch
 from sketchkit.core.clock import Clock, VirtualClock
 from sketchkit.draw.backend import Backend
@@ -75,7 +75,7 @@ def render(
 
     Raises
     ------
-    SketchFailedError
+    StoppedError
         If the sketch stops by a mistake; the frames before that have been yielded.
     """
     renderer = Renderer(backend)
@@ -92,6 +92,7 @@ def opened(
     clock: Clock,
     *,
     host: Host | None = None,
+    args: Sequence[str] = (),
     seed: int = 0,
     tell: Tell,
 ) -> Iterator[Loop]:
@@ -99,13 +100,15 @@ def opened(
 
     Raises
     ------
-    SketchFailedError
+    StoppedError
         If it cannot be read, or stops by a mistake in the block.
     """
     with reporting(path):
         source = Source.read(path)
     canvas = PGraphics(renderer, Target(FIRST_SIZE, FIRST_SIZE))
-    sketch = Sketch(canvas, clock=clock, host=host or NoWindow(), folder=path.parent, seed=seed)
+    sketch = Sketch(
+        canvas, clock=clock, host=host, folder=source.path.parent, args=args, seed=seed
+    )
     program = Program(source, sketch, tell)
     with reporting(path, program), program:
         yield Loop(program)

@@ -81,7 +81,7 @@ class Report:
         return lines
 
 
-class SketchFailedError(Exception):
+class StoppedError(Exception):
     """A sketch has stopped by a mistake.
 
     Attributes
@@ -97,7 +97,7 @@ class SketchFailedError(Exception):
 
 @contextmanager
 def reporting(path: Path, program: Program | None = None) -> Iterator[None]:
-    """Make what a sketch raises in this block into `SketchFailedError`.
+    """Make what a sketch raises in this block into `StoppedError`.
 
     Parameters
     ----------
@@ -108,13 +108,13 @@ def reporting(path: Path, program: Program | None = None) -> Iterator[None]:
 
     Raises
     ------
-    SketchFailedError
+    StoppedError
         For every mistake, and when the user stops it by Ctrl+C.
     """
     try:
         yield
     except (Exception, KeyboardInterrupt) as error:
-        raise SketchFailedError(report_of(error, path, program)) from error
+        raise StoppedError(report_of(error, path, program)) from error
 
 
 def report_of(error: BaseException, path: Path, program: Program | None = None) -> Report:

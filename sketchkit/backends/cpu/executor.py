@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.backends.cpu.clipping import clip_triangles
-from sketchkit.backends.cpu.frames import Frame, Surface
+from sketchkit.backends.cpu.frames import Frame, Surface, window_of
 from sketchkit.backends.cpu.layers import draw_in_layers
 from sketchkit.backends.cpu.raster import rasterize
 from sketchkit.backends.cpu.shading import Shading
@@ -48,14 +48,15 @@ class CpuBackend:
             match command:
                 case Clear(target, color, depth):
                     self._frame(target).clear(color, depth=depth)
-                case Settle(target):
-                    self._frame(target).settle()
+                case Settle(target, how):
+                    self._frame(target).settle(how)
                 case Draw(layer=layer):
                     self._draw(command, commands.blocks[layer])
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
-        return self._frame(target).picture()
+        rows = self._frame(target).picture()
+        return rows if target.top_row_first else rows[::-1].copy()
 
     def forget(self, resource: Pixels | Target) -> None:
         """Let go of what is kept for a resource."""
@@ -78,14 +79,15 @@ class CpuBackend:
         pipeline = command.pipeline
         frame = self._frame(pipeline.target)
         triangles = set_up(clip_triangles(assemble(block, command)), frame)
-        window = triangles.within(frame.window(pipeline.clip))
-        if window.is_empty:
+        window = window_of(pipeline)
+        reached = triangles.within(window.widened())
+        if reached.is_empty:
             return
-        shading = Shading(triangles, pipeline.program, frame.grid.centre)
+        shading = Shading(triangles, pipeline, frame.grid.centre)
         for part, is_opaque in _parts(shading.is_opaque, pipeline.blend):
             spans = rasterize(triangles, part, window, frame.grid)
             draw = draw_visible if is_opaque else draw_in_layers
-            draw(spans, shading, Surface(frame, window, pipeline))
+            draw(spans, shading, Surface(frame, reached, pipeline))
 
 
 def _parts(is_opaque: NDArray[np.bool_], mode: Blend) -> Iterator[tuple[slice, bool]]:

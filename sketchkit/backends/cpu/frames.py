@@ -1,7 +1,7 @@
 """Frames: the samples of a target, and how a picture is made of them.
 
-Rows are in the order of the frame's own buffer, which for offscreen targets begins at the bottom
-of the picture (see draw/resources.py).
+Rows are in the order of the target's buffer, which may begin at the bottom of the picture (see
+draw/resources.py, Target). Only `window_of`, `vertices` and `shading` need to know.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.draw.pipeline import Clip, Pipeline
+from sketchkit.draw.commands import Settling
+from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import F32, U8
 
@@ -66,6 +67,10 @@ class Window(NamedTuple):
         """Return the view of the window in an array (samples, height, width, ...)."""
         return samples[:, self.top : self.bottom, self.left : self.right]
 
+    def widened(self) -> Window:
+        """Return the window with what a clip lets through besides (see raster, `_limit`)."""
+        return Window(max(self.left - 1, 0), max(self.top - 1, 0), self.right, self.bottom)
+
     def meet(self, left: int, top: int, right: int, bottom: int) -> Window:
         """Return what of the window is also inside the given edges."""
         return Window(
@@ -90,7 +95,6 @@ class Frame:
     def __init__(self, target: Target) -> None:
         self.version = target.version
         self.grid = _GRIDS[target.samples]
-        self.is_top_row_first = target.top_row_first
         self.colors: U8 = np.zeros((target.samples, target.height, target.width, 4), np.uint8)
         self._depths: I64 | None = None
 
@@ -126,25 +130,19 @@ class Frame:
         if depth:
             self._depths = None
 
-    def settle(self) -> None:
-        """Give all samples of a pixel their mean, and make everything farthest."""
-        self.colors[...] = self._averages()
+    def settle(self, how: Settling) -> None:
+        """Begin a frame over the old picture, and make everything farthest."""
+        match how:
+            case Settling.MEAN:
+                self.colors[...] = self.picture()
+            case Settling.TURN:
+                self.colors[...] = self.colors[0, ::-1].copy()
+            case Settling.KEEP:
+                pass
         self._depths = None
 
-    def window(self, clip: Clip | None) -> Window:
-        """Return what a clip, given from the top of the picture, leaves of the frame."""
-        whole = Window(0, 0, self.width, self.height)
-        if clip is None:
-            return whole
-        top = clip.top if self.is_top_row_first else self.height - clip.top - clip.height
-        return whole.meet(clip.left, top, clip.left + clip.width, top + clip.height)
-
     def picture(self) -> U8:
-        """Return the average of the samples, (height, width, 4), top row of the picture first."""
-        averages = self._averages()
-        return averages if self.is_top_row_first else averages[::-1].copy()
-
-    def _averages(self) -> U8:
+        """Return the average of the samples, (height, width, 4)."""
         averages = self.colors[0].copy()
         packed = self.colors.view(np.uint32)[..., 0]
         row, column = np.nonzero((packed[1:] != packed[0]).any(axis=0))
@@ -158,6 +156,16 @@ class Surface(NamedTuple):
     frame: Frame
     window: Window
     pipeline: Pipeline
+
+
+def window_of(pipeline: Pipeline) -> Window:
+    """Return what a pipeline's clip, given from the top of the picture, leaves of the frame."""
+    target, clip = pipeline.target, pipeline.clip
+    whole = Window(0, 0, target.width, target.height)
+    if clip is None:
+        return whole
+    top = clip.top if target.top_row_first else target.height - clip.top - clip.height
+    return whole.meet(clip.left, top, clip.left + clip.width, top + clip.height)
 
 
 def packed_depths(z: F32) -> I64:

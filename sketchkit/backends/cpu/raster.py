@@ -8,9 +8,11 @@ each pixel of its bounding box. Exact: the edge functions are whole numbers belo
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import floor
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sketchkit.backends.cpu.frames import SUBPIXELS, SampleGrid, Window
 from sketchkit.backends.cpu.triangles import F64, I64, Triangles
@@ -56,20 +58,37 @@ def rasterize(
     edges = _edges(x, y)
     places = np.rint(np.array(grid.places) * SUBPIXELS)
     highest, lowest = places[:, 1].max(), places[:, 1].min()
-    top = np.ceil((y.min(axis=0) - highest) / SUBPIXELS)
-    bottom = np.floor((y.max(axis=0) - lowest) / SUBPIXELS) + 1
-    top, bottom = np.maximum(top, window.top), np.minimum(bottom, window.bottom)
-    rows = np.maximum(bottom - top, 0).astype(np.int64)
+    top = np.maximum(np.ceil((y.min(axis=0) - highest) / SUBPIXELS), _limit(window.top, highest))
+    bottom = np.minimum(np.floor((y.max(axis=0) - lowest) / SUBPIXELS) + 1, window.bottom)
+    rows = np.where(_meets(x, y, window), np.maximum(bottom - top, 0), 0).astype(np.int64)
     for some in batches(rows, ROWS_AT_ONCE):
         counts = rows[some]
         triangle = np.repeat(np.arange(some.start, some.stop) + part.start, counts)
         row = np.repeat(top[some].astype(np.int64), counts) + ramps(counts)
         left, right = _runs(_Edges(*(e[:, some] for e in edges)), counts, row, places)
-        np.clip(left, window.left, window.right, out=left)
+        for plane, (place_x, place_y) in enumerate(places):
+            np.clip(left[plane], _limit(window.left, place_x), window.right, out=left[plane])
+            right[plane, row < _limit(window.top, place_y)] = 0
         np.clip(right, left, window.right, out=right)
         spans = Spans(triangle, row, left.astype(np.int64), right.astype(np.int64))
         for few in batches((spans.right - spans.left).max(axis=0), PIXELS_AT_ONCE):
             yield Spans(*(column[..., few] for column in spans))
+
+
+def _meets(x: F64, y: F64, window: Window) -> NDArray[np.bool_]:
+    """Return which triangles' bounding boxes share a pixel with a window."""
+    last_column, last_row = (x.max(axis=0) - 1) // SUBPIXELS, (y.max(axis=0) - 1) // SUBPIXELS
+    meets: NDArray[np.bool_] = (last_column >= window.left) & (last_row >= window.top)
+    return meets
+
+
+def _limit(edge: int, place: float) -> int:
+    """Return the first column, or row, whose sample is inside a window that begins at `edge`.
+
+    Mesa lets samples pass from half a pixel before the edge on; with four to a pixel two of the
+    pixel before are among them.
+    """
+    return max(floor(edge - 0.5 - place / SUBPIXELS) + 1, 0)
 
 
 def batches(costs: I64, limit: int) -> Iterator[slice]:

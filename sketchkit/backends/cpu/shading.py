@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from sketchkit.backends.cpu.triangles import F64, I64, Planes, Triangles
 from sketchkit.backends.cpu.vertices import LIT
-from sketchkit.draw.pipeline import Program
+from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.vertex import F32, U8
 
 OPAQUE = 255
@@ -30,10 +30,10 @@ class Shading:
         Which triangles hide what is behind them, if blended by their alpha.
     """
 
-    def __init__(self, triangles: Triangles, program: Program, centre: float) -> None:
+    def __init__(self, triangles: Triangles, pipeline: Pipeline, centre: float) -> None:
         self.triangles = triangles
         self._centre = centre
-        self._corners = _corner_colors(triangles, program)
+        self._corners = _corner_colors(triangles, pipeline)
         self._is_flat = (self._corners == self._corners[0]).all(axis=(0, 2))
         self._flat_colors = quantize(self._corners[0])
         self.is_opaque = (quantize(self._corners[..., 3]) == OPAQUE).all(axis=0)
@@ -66,9 +66,13 @@ def quantize(colors: F32) -> U8:
     return np.rint(bounded * np.float32(255)).astype(np.uint8)
 
 
-def _corner_colors(triangles: Triangles, program: Program) -> F32:
-    """Return the colours at the corners, (3, n, 4), of the side that is seen."""
+def _corner_colors(triangles: Triangles, pipeline: Pipeline) -> F32:
+    """Return the colours at the corners, (3, n, 4), of the side that is seen.
+
+    Clockwise on the picture is the front; some targets have the picture upside down.
+    """
     front = triangles.varyings[..., :4]
-    if program not in LIT:
+    if pipeline.program not in LIT:
         return front
-    return np.where(triangles.is_front[:, None], front, triangles.varyings[..., 4:8])
+    is_front = triangles.is_clockwise == pipeline.target.top_row_first
+    return np.where(is_front[:, None], front, triangles.varyings[..., 4:8])

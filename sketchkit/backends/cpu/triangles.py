@@ -56,8 +56,8 @@ class Triangles:
         0 (near) to 1, at the corners.
     reciprocal_w : (3, n) float32
     varyings : (3, n, k) float32
-    is_front : (n,) bool
-        Whether the front is seen: the corners run clockwise on the picture.
+    is_clockwise : (n,) bool
+        Whether the corners, as they were drawn, run clockwise if rows count downwards.
     """
 
     grid_x: F64
@@ -67,7 +67,7 @@ class Triangles:
     depths: F32
     reciprocal_w: F32
     varyings: F32
-    is_front: NDArray[np.bool_]
+    is_clockwise: NDArray[np.bool_]
 
     def __len__(self) -> int:
         return self.grid_x.shape[1]
@@ -115,13 +115,13 @@ def set_up(corners: F32, frame: Frame) -> Triangles:
     )
     area = _twice_area(grid_x, grid_y)
     kept = np.flatnonzero(area)
-    is_clockwise = area[kept] > 0  # as rows count downwards
+    is_clockwise = area[kept] > 0
     first = np.where(is_clockwise, 1, 0)
     order = np.stack([first, 1 - first, np.full_like(first, 2)]), kept
     return Triangles(
         *(column[order] for column in (grid_x, grid_y, x, y, depths, reciprocal_w)),
         varyings=columns[4:].transpose(1, 2, 0)[order],
-        is_front=is_clockwise == frame.is_top_row_first,
+        is_clockwise=is_clockwise,
     )
 
 
