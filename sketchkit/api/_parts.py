@@ -205,9 +205,7 @@ class CanvasParts:
         pack_row0(recorder.rows, recorder.row_end, kind, state, color, NO_COLOR, 0.0, link)
         recorder.row_end += ROW
 
-    def _again(
-        self, call: Callable[..., None], args: Sequence[object], usage: str
-    ) -> None:
+    def _again(self, call: Callable[..., None], args: Sequence[object], usage: str) -> None:
         """Repeat a call whose row did not go into the buffer, or say what is wrong with it."""
         if not self._recorder.make_room():
             self._refuse(call.__name__, args, usage)

@@ -12,6 +12,7 @@ from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.host import Host
 from sketchkit.core.clock import Clock
 from sketchkit.core.constants import P2D
+from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
 
 SMOOTH_SAMPLES = 4  # for each pixel; Processing's driver gives 4 for every level of smooth()
@@ -20,8 +21,20 @@ SMOOTH_SAMPLES = 4  # for each pixel; Processing's driver gives 4 for every leve
 class Canvas(Protocol):
     """What a sketch asks of the surface it draws on."""
 
-    width: int
-    height: int
+    @property
+    def width(self) -> int:
+        """Columns of pixels."""
+        ...
+
+    @property
+    def height(self) -> int:
+        """Rows of pixels."""
+        ...
+
+    @property
+    def target(self) -> Target:
+        """What it draws on."""
+        ...
 
     def resize(self, width: int, height: int, renderer_name: str, samples: int) -> None:
         """Give the canvas another size; what was drawn is lost."""

@@ -176,7 +176,7 @@ class Camera(CanvasParts):
         if not numbers:
             x, y = self._target.width / 2, self._target.height / 2
             numbers = (-x, x, -y, y)
-        if len(numbers) == 4:  # noqa: PLR2004 the sides alone
+        if len(numbers) == 4:
             numbers = (*numbers, 0.0, self._eye_distance * FAR)
         try:
             left, right, bottom, top, near, far = (value + 0.0 for value in numbers)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from sketchkit.api.vertices import Vertices
+from sketchkit.api.curve_vertices import CurveVertices
 from sketchkit.core.errors import SketchError
 from sketchkit.geometry import curves
 
 BEZIER_USAGE = "x1, y1, x2, y2, x3, y3, x4, y4"
 
 
-class Curves(Vertices):
+class Curves(CurveVertices):
     """Curves of four points."""
 
     def bezier(self, *numbers: float) -> None:

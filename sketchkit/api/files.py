@@ -8,7 +8,8 @@ from pathlib import Path
 
 from sketchkit.api._sketch_parts import SketchParts
 from sketchkit.assets.output import picture_bytes, write_file
-from sketchkit.core.errors import SketchError, nearest, shown
+from sketchkit.assets.paths import find_file
+from sketchkit.core.errors import SketchError
 
 
 class Files(SketchParts):
@@ -36,7 +37,7 @@ class Files(SketchParts):
         >>> for line in loadStrings("poem.txt"):
         ...     println(line)
         """
-        path = self._existing("loadStrings", filename)
+        path = find_file("loadStrings", filename)
         try:
             return path.read_text(encoding="utf-8-sig").splitlines()
         except UnicodeDecodeError:
@@ -127,20 +128,6 @@ class Files(SketchParts):
         >>> saveFrame("frames/spin-####.png")
         """
         self.save(numbered(str(filename), self.progress.frame_count))
-
-    def _existing(self, caller: str, filename: str) -> Path:
-        places = [self.folder / "data" / filename, self.folder / filename]
-        for path in places:
-            if path.is_file():
-                return path
-        folders = [path.parent for path in places if path.parent.is_dir()]
-        files = [file.name for folder in folders for file in folder.iterdir()]
-        known = nearest(Path(filename).name, files)
-        raise SketchError(
-            "There is no such file in the sketch's data folder, nor beside the sketch.",
-            got=f"{caller}({shown(filename)})",
-            hint=f"Do you mean {known!r}?" if known else None,
-        )
 
 
 def numbered(filename: str, frame: int) -> str:

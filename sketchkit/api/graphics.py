@@ -11,6 +11,7 @@ from sketchkit.api.shapes2d import Shapes2D
 from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.stacks import Stacks
 from sketchkit.api.text import Text
+from sketchkit.api.textures import Textures
 from sketchkit.core.constants import P3D
 from sketchkit.draw.commands import Settling
 from sketchkit.draw.recorder import Kind
@@ -18,11 +19,10 @@ from sketchkit.draw.resources import Target
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import U8
 
-
 BACKDROP = 0xFFCCCCCC  # what a canvas shows before the first background()
 
 
-class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Shapes3D, Camera, Text, Images):
+class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Camera, Text, Images):
     """A surface to draw on; the window's is one of them."""
 
     @property

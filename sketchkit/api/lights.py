@@ -114,9 +114,7 @@ class Lights(Styling):
         color = self._light_color("directionalLight", v1, v2, v3)
         self._add_light(LightKind.DIRECTIONAL, diffuse=color, direction=(nx, ny, nz))
 
-    def pointLight(
-        self, v1: float, v2: float, v3: float, x: float, y: float, z: float
-    ) -> None:
+    def pointLight(self, v1: float, v2: float, v3: float, x: float, y: float, z: float) -> None:
         """Add light from a place, as from a lamp.
 
         Parameters
@@ -210,7 +208,9 @@ class Lights(Styling):
         try:
             self._light_falloff = (constant + 0.0, linear + 0.0, quadratic + 0.0)
         except TypeError:
-            self._refuse("lightFalloff", (constant, linear, quadratic), "constant, linear, quadratic")
+            self._refuse(
+                "lightFalloff", (constant, linear, quadratic), "constant, linear, quadratic"
+            )
 
     def lightSpecular(self, v1: float, v2: float, v3: float) -> None:
         """Set the colour of the highlights that lights made after it give; at first black.
@@ -227,9 +227,7 @@ class Lights(Styling):
         """
         self._light_specular = self._light_color("lightSpecular", v1, v2, v3)
 
-    def ambient(
-        self, v1: ColorLike, v2: float | None = None, v3: float | None = None
-    ) -> None:
+    def ambient(self, v1: ColorLike, v2: float | None = None, v3: float | None = None) -> None:
         """Set the colour that a surface shows in ambient light; until then it is the fill colour.
 
         Examples
@@ -242,9 +240,7 @@ class Lights(Styling):
         """
         self._material(ambient=self._mix("ambient", v1, v2, v3))
 
-    def specular(
-        self, v1: ColorLike, v2: float | None = None, v3: float | None = None
-    ) -> None:
+    def specular(self, v1: ColorLike, v2: float | None = None, v3: float | None = None) -> None:
         """Set the colour of a surface's highlights; it needs `lightSpecular()` to show.
 
         Examples
@@ -254,9 +250,7 @@ class Lights(Styling):
         """
         self._material(specular=self._mix("specular", v1, v2, v3))
 
-    def emissive(
-        self, v1: ColorLike, v2: float | None = None, v3: float | None = None
-    ) -> None:
+    def emissive(self, v1: ColorLike, v2: float | None = None, v3: float | None = None) -> None:
         """Set the light that a surface gives by itself; it shows only while there are lights.
 
         Examples
@@ -335,5 +329,3 @@ def _eye_direction(modelview: mat.Affine, direction: Vector3) -> Vector3:
     if not length:
         return NONE
     return turned[0] / length, turned[1] / length, turned[2] / length
-
-

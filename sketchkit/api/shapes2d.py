@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketchkit.api.vertices import Vertices
+from sketchkit.api.curve_vertices import CurveVertices
 from sketchkit.core.constants import CLOSE, POLYGON
 from sketchkit.draw.recorder import (
     ROW,
@@ -18,14 +18,19 @@ from sketchkit.geometry.ellipses import wrap_angles
 from sketchkit.geometry.rects import rect_edges
 
 # Bound once: looking an enum's member up takes a third of the time that packing a row takes.
-POINT, LINE, TRIANGLE, QUAD = Kind.POINT.value, Kind.LINE.value, Kind.TRIANGLE.value, Kind.QUAD.value
+POINT, LINE, TRIANGLE, QUAD = (
+    Kind.POINT.value,
+    Kind.LINE.value,
+    Kind.TRIANGLE.value,
+    Kind.QUAD.value,
+)
 RECT, ELLIPSE, ARC = Kind.RECT.value, Kind.ELLIPSE.value, Kind.ARC.value
 
 RECT_USAGE = "x, y, width, height [, radius] | x, y, width, height, tl, tr, br, bl"
 ELLIPSE_USAGE = "x, y, width [, height]"
 
 
-class Shapes2D(Vertices):
+class Shapes2D(CurveVertices):
     """Points, lines, and shapes in the plane z = 0 of the current matrix."""
 
     def point(self, x: float, y: float, z: float = 0.0) -> None:
@@ -102,9 +107,7 @@ class Shapes2D(Vertices):
         else:
             recorder.row_end = end + ROW
 
-    def triangle(
-        self, x1: float, y1: float, x2: float, y2: float, x3: float, y3: float
-    ) -> None:
+    def triangle(self, x1: float, y1: float, x2: float, y2: float, x3: float, y3: float) -> None:
         """Draw a triangle.
 
         Parameters
@@ -197,7 +200,18 @@ class Shapes2D(Vertices):
         state = self._state if self._state >= 0 else self._note_state()
         try:
             pack_row4(
-                recorder.rows, end, RECT, state, self._fill, self._stroke, self._weight, 0, a, b, c, d
+                recorder.rows,
+                end,
+                RECT,
+                state,
+                self._fill,
+                self._stroke,
+                self._weight,
+                0,
+                a,
+                b,
+                c,
+                d,
             )
         except PackError:
             return self._again(self.rect, (a, b, c, d), RECT_USAGE)
@@ -247,7 +261,18 @@ class Shapes2D(Vertices):
             d = c
         try:
             pack_row4(
-                recorder.rows, end, ELLIPSE, state, self._fill, self._stroke, self._weight, 0, a, b, c, d
+                recorder.rows,
+                end,
+                ELLIPSE,
+                state,
+                self._fill,
+                self._stroke,
+                self._weight,
+                0,
+                a,
+                b,
+                c,
+                d,
             )
         except PackError:
             self._again(self.ellipse, (a, b, c, d), ELLIPSE_USAGE)
@@ -332,5 +357,3 @@ class Shapes2D(Vertices):
             if radius:  # the path turns right by a right angle
                 self.quadraticVertex(x, y, x - dy * radius, y + dx * radius)
         self.endShape(CLOSE)
-
-

@@ -80,7 +80,9 @@ class Shapes3D(CanvasParts):
         recorder, end = self._recorder, self._recorder.row_end
         state = self._state if self._state >= 0 else self._note_state()
         try:
-            pack_row1(recorder.rows, end, SPHERE, state, self._fill, self._stroke, self._weight, 0, r)
+            pack_row1(
+                recorder.rows, end, SPHERE, state, self._fill, self._stroke, self._weight, 0, r
+            )
         except PackError:
             return self._again(self.sphere, (r,), "radius")
         recorder.row_end = end + ROW
@@ -112,5 +114,3 @@ class Shapes3D(CanvasParts):
     def _need_3d(self, name: str) -> None:
         """Say once that a solid is not drawn in a flat sketch."""
         warn_once(f"{name}() is drawn only in P3D: write size(width, height, P3D).")
-
-

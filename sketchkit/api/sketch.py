@@ -16,6 +16,7 @@ from sketchkit.api.looping import Looping
 from sketchkit.api.pvector import use_random
 from sketchkit.api.randomness import Randomness
 from sketchkit.api.windows import Windows
+from sketchkit.assets.paths import set_sketch_folder
 from sketchkit.core.clock import Clock, VirtualClock
 from sketchkit.core.noise import PerlinNoise
 from sketchkit.core.rng import JavaRandom
@@ -76,8 +77,12 @@ class Sketch(Environment, Looping, Input, Windows, Files, Randomness, Dates):
         self._publish = publish
 
     def take_over(self) -> None:
-        """Let `randomSeed()` rule `PVector.random2D()` too, which belongs to no sketch."""
+        """Be the one whose files are found and whose `randomSeed()` rules `PVector.random2D()`.
+
+        Images and vectors belong to no sketch, but there is one at a time.
+        """
         use_random(self._random)
+        set_sketch_folder(self.folder)
 
     if not TYPE_CHECKING:  # a checker must still find misspelt attributes
 

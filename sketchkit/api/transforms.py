@@ -229,7 +229,7 @@ class Transforms(CanvasParts):
         self._modelview = mat.IDENTITY
         self._state = -1
 
-    def applyMatrix(self, *source: Any) -> None:  # Any: numbers or a matrix, checked by use
+    def applyMatrix(self, *source: float | PMatrix2D | PMatrix3D) -> None:
         """Multiply the current matrix by another.
 
         Parameters
@@ -289,7 +289,7 @@ class Transforms(CanvasParts):
         """Return a matrix given as numbers or as an object; a last row is dropped."""
         if len(source) == 1 and isinstance(source[0], PMatrix2D | PMatrix3D):
             matrix = PMatrix3D(source[0])
-            source = tuple(matrix.get([]))
+            source = tuple(matrix.get([0.0] * 16))
         try:
             numbers = tuple(value + 0.0 for value in source)
         except TypeError:

@@ -13,7 +13,6 @@ from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError
 from sketchkit.draw.recorder import (
     CORNER,
-    CORNER_DTYPE,
     ROW,
     UV,
     Kind,
@@ -22,10 +21,8 @@ from sketchkit.draw.recorder import (
     pack_corner,
     pack_row0,
     pack_uv,
-    unpack_place,
 )
-from sketchkit.draw.resources import Pixels, Wrap
-from sketchkit.geometry.curves import bezier_points, quadratic_to_cubic, spline_points
+from sketchkit.draw.resources import Pixels
 
 SHAPE = Kind.SHAPE.value
 KINDS = {
@@ -41,8 +38,6 @@ KINDS = {
     c.LINE_LOOP: "LINE_LOOP",
 }
 CLOSE_MODES = {c.CLOSE: "CLOSE"}
-TEXTURE_MODES = {c.IMAGE: "IMAGE", c.NORMAL: "NORMAL"}
-WRAPS = {c.CLAMP: "CLAMP", c.REPEAT: "REPEAT"}
 VERTEX_USAGE = "x, y [, z] | x, y, u, v | x, y, z, u, v"
 
 
@@ -140,9 +135,7 @@ class Vertices(CanvasParts):
             return self._textured_vertex(x, y, z, uv)
         recorder, end = self._recorder, self._recorder.corner_end
         try:
-            pack_corner(
-                recorder.corners, end, x, y, z, self._attributes, self._fill, self._stroke
-            )
+            pack_corner(recorder.corners, end, x, y, z, self._attributes, self._fill, self._stroke)
         except PackError:
             return self._again(self.vertex, (x, y, z), VERTEX_USAGE)
         recorder.corner_end = end + CORNER
@@ -165,7 +158,14 @@ class Vertices(CanvasParts):
                 pack_uv(recorder.uvs, recorder.uv_end, u * scale_u, v * scale_v)
             color = self._corner_fill(shape)
             pack_corner(
-                recorder.corners, recorder.corner_end, x, y, z, self._attributes, color, self._stroke
+                recorder.corners,
+                recorder.corner_end,
+                x,
+                y,
+                z,
+                self._attributes,
+                color,
+                self._stroke,
             )
         except (PackError, TypeError):
             self._again(self.vertex, (x, y, z, *uv), VERTEX_USAGE)
@@ -320,163 +320,6 @@ class Vertices(CanvasParts):
         if self._shape is not None:
             self._shape.has_normals = True
 
-    def texture(self, image: object) -> None:
-        """Cover the shape that is open with an image.
-
-        Parameters
-        ----------
-        image : PImage
-            Where it goes, `vertex()` says with u and v.
-
-        Raises
-        ------
-        SketchError
-            If no shape is open, or it is no image.
-
-        See Also
-        --------
-        textureMode, textureWrap, vertex
-
-        Examples
-        --------
-        >>> img = createImage(8, 8, RGB)
-        >>> noStroke()
-        >>> beginShape()
-        >>> texture(img)
-        >>> vertex(20, 20, 0, 0)
-        >>> vertex(80, 20, 8, 0)
-        >>> vertex(80, 80, 8, 8)
-        >>> vertex(20, 80, 0, 8)
-        >>> endShape()
-        """
-        shape = self._open("texture")
-        shape.texture = pixels_of("texture", image)
-        recorder = self._recorder
-        shape.first_uv = recorder.uv_end
-        for _ in range((recorder.corner_end - shape.first) // CORNER):  # those before it: (0, 0)
-            recorder.make_room()
-            pack_uv(recorder.uvs, recorder.uv_end, 0.0, 0.0)
-            recorder.uv_end += UV
-
-    def noTexture(self) -> None:
-        """Leave the vertices that follow without a texture; Processing's own name for it.
-
-        Examples
-        --------
-        >>> noTexture()
-        """
-        if self._shape is not None:
-            self._shape.texture = self._shape.first_uv = None
-
-    def textureMode(self, mode: int) -> None:
-        """Set the units of u and v: IMAGE for pixels of the image (at first), NORMAL for 0 to 1.
-
-        Examples
-        --------
-        >>> textureMode(NORMAL)
-        """
-        check_choice("textureMode", mode, TEXTURE_MODES)
-        self._texture_mode = mode
-
-    def textureWrap(self, wrap: int) -> None:
-        """Set what shows beyond a texture's edges: CLAMP (at first) or REPEAT.
-
-        Examples
-        --------
-        >>> textureWrap(REPEAT)
-        """
-        check_choice("textureWrap", wrap, WRAPS)
-        if wrap != self._stage.wrap:
-            self._restage(wrap=Wrap(wrap))
-
-    def bezierVertex(self, *numbers: float) -> None:
-        """Add a Bezier curve from the last vertex on.
-
-        Parameters
-        ----------
-        *numbers : 6 or 9 float, pixels
-            Two control points and the end: x, y each, or x, y, z each.
-
-        Raises
-        ------
-        SketchError
-            If no vertex came before it, or there are not 6 or 9 numbers.
-
-        See Also
-        --------
-        quadraticVertex, curveVertex, bezier, bezierDetail
-
-        Examples
-        --------
-        >>> beginShape()
-        >>> vertex(30, 20)
-        >>> bezierVertex(80, 0, 80, 75, 30, 75)
-        >>> endShape()
-        """
-        shape = self._curved("bezierVertex")
-        points = self._points("bezierVertex", numbers, 3, "x2, y2, x3, y3, x4, y4")
-        start = self._last_place(shape, "bezierVertex")
-        self._add_corners(bezier_points(np.vstack([start, points]), self._bezier_detail))
-
-    def quadraticVertex(self, *numbers: float) -> None:
-        """Add a quadratic Bezier curve from the last vertex on.
-
-        Parameters
-        ----------
-        *numbers : 4 or 6 float, pixels
-            A control point and the end: x, y each, or x, y, z each.
-
-        Examples
-        --------
-        >>> beginShape()
-        >>> vertex(20, 20)
-        >>> quadraticVertex(80, 20, 50, 50)
-        >>> quadraticVertex(20, 80, 80, 80)
-        >>> endShape()
-        """
-        shape = self._curved("quadraticVertex")
-        control, end = self._points("quadraticVertex", numbers, 2, "cx, cy, x3, y3")
-        start = self._last_place(shape, "quadraticVertex")
-        cubic = quadratic_to_cubic(start, control, end)
-        self._add_corners(bezier_points(cubic, self._bezier_detail))
-
-    def curveVertex(self, *numbers: float) -> None:
-        """Add a point of a spline; the first and the last only steer it.
-
-        Parameters
-        ----------
-        *numbers : 2 or 3 float, pixels
-
-        See Also
-        --------
-        curve, curveTightness, curveDetail
-
-        Examples
-        --------
-        >>> noFill()
-        >>> beginShape()
-        >>> for x, y in ((20, 80), (20, 80), (40, 20), (70, 60), (90, 20), (90, 20)):
-        ...     curveVertex(x, y)
-        >>> endShape()
-        """
-        shape = self._open("curveVertex")
-        (point,) = self._points("curveVertex", numbers, 1, "x, y")
-        if not shape.spline and shape.kind != c.POLYGON:
-            raise SketchError("curveVertex() belongs into a beginShape() without a kind.")
-        shape.spline.append(tuple(point))
-        if len(shape.spline) == 3:  # noqa: PLR2004 the spline begins at its second point
-            self._add_corners(np.array(shape.spline[1:2]))
-        if len(shape.spline) > 3:  # noqa: PLR2004 four points make a segment
-            control = np.array(shape.spline[-4:])
-            self._add_corners(spline_points(control, self._curve_detail, self._curve_tightness))
-
-    def _curved(self, name: str) -> OpenShape:
-        shape = self._open(name)
-        if shape.kind != c.POLYGON:
-            raise SketchError(f"{name}() belongs into a beginShape() without a kind.")
-        shape.spline.clear()
-        return shape
-
     def _points(
         self, name: str, numbers: tuple[float, ...], count: int, usage: str
     ) -> NDArray[np.float64]:
@@ -487,7 +330,7 @@ class Vertices(CanvasParts):
             points = np.array([value + 0.0 for value in numbers]).reshape(count, -1)
         except (TypeError, ValueError):
             self._refuse_points(name, numbers, usage)
-        if points.shape[1] == 2:  # noqa: PLR2004 x and y
+        if points.shape[1] == 2:
             points = np.hstack([points, np.zeros((count, 1))])
         return points
 
@@ -505,32 +348,6 @@ class Vertices(CanvasParts):
             return np.array([[value + 0.0 for value in numbers]], np.float32)
         except TypeError:
             self._refuse(name, numbers, usage)
-
-    def _last_place(self, shape: OpenShape, caller: str) -> NDArray[np.float64]:
-        recorder = self._recorder
-        if recorder.corner_end <= shape.first:
-            raise SketchError(
-                f"{caller}() needs a vertex to start from.", hint="Write vertex(x, y) before it."
-            )
-        return np.array(unpack_place(recorder.corners, recorder.corner_end - CORNER))
-
-    def _add_corners(self, points: NDArray[np.float64]) -> None:
-        """Add many corners, (n, 3), in the current colours."""
-        shape, recorder = self._open("vertex"), self._recorder
-        table = np.zeros(len(points), CORNER_DTYPE)
-        table["place"] = points
-        table["attributes"] = self._attributes
-        table["fill"], table["stroke"] = self._corner_fill(shape), self._stroke
-        data = table.tobytes()
-        while recorder.corner_end + len(data) > len(recorder.corners):
-            recorder.corners.extend(bytes(len(recorder.corners)))
-        recorder.corners[recorder.corner_end : recorder.corner_end + len(data)] = data
-        recorder.corner_end += len(data)
-        if shape.texture is not None:
-            for _ in points:
-                recorder.make_room()
-                pack_uv(recorder.uvs, recorder.uv_end, 0.0, 0.0)
-                recorder.uv_end += UV
 
 
 def pixels_of(caller: str, image: object) -> Pixels:

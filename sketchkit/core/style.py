@@ -42,12 +42,25 @@ class Style:
 
 @dataclass(frozen=True, slots=True)
 class Typography:
-    """How text is set."""
+    """How text is set.
+
+    Attributes
+    ----------
+    size, leading : float, pixels
+    align_x, align_y : int
+    face : str
+        Path of the font's file; "" is the default face.
+    design_size : int, pixels
+        The size at which the face was made, and its ascent and descent measured; 0 until it is
+        first used.
+    """
 
     size: float = 12.0
     leading: float = 14.0
     align_x: int = c.LEFT
     align_y: int = c.BASELINE
+    face: str = ""
+    design_size: int = 0
 
 
 @dataclass(slots=True)

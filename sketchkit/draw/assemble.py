@@ -10,101 +10,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.draw.commands import Clear, Command, Draw, DrawList, Settle, Settling
-from sketchkit.draw.depth_sort import depth_order
+from sketchkit.draw.layers import LayerPieces, PieceOrder, unpack_argb
 from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
 from sketchkit.draw.pipeline import Pipeline, Program
 from sketchkit.draw.recorder import Kind
 from sketchkit.draw.resources import Pixels, Target
-from sketchkit.draw.rows import Rows, project
+from sketchkit.draw.rows import Rows
 from sketchkit.draw.stage import Stage
-from sketchkit.draw.vertex import Layer, Materials, VertexBlock
+from sketchkit.draw.vertex import Layer
 from sketchkit.geometry.ribbons import ribbon
 from sketchkit.geometry.shapes import triangle_normals
 
 F32 = NDArray[np.float32]
-U8 = NDArray[np.uint8]
-I64 = NDArray[np.int64]
 
 # Ends of strokes are pulled a thousandth toward the eye, to win over the fill that they outline.
 PULL_PERSPECTIVE = (0.999, 0.999, 0.999)
 PULL_PARALLEL = (1.0, 1.0, 0.999)
-
-
-def unpack_argb(colors: I64) -> U8:
-    """Return packed colours as RGBA bytes, one more dimension of 4."""
-    # On little- and big-endian machines alike: shift, then take the low byte.
-    return np.stack([colors >> 16, colors >> 8, colors, colors >> 24], axis=-1).astype(np.uint8)
-
-
-class _Layer:
-    """Vertices and triangles of one layer, collected piece by piece, then put in order."""
-
-    def __init__(self) -> None:
-        self.columns: dict[str, list[NDArray[np.generic]]] = {}
-        self.indices: list[I64] = []  # (n, 3t) each: the corners of each piece's triangles
-        self.keys: list[I64] = []  # (n,) each: where in the order each piece comes
-        self.textures: list[list[Pixels] | None] = []
-        self.vertex_count = 0
-
-    def add(
-        self,
-        keys: I64,
-        triangles: I64,
-        columns: dict[str, NDArray[np.generic]],
-        textures: list[Pixels] | None = None,
-    ) -> None:
-        """Add pieces; a column is (n, k, d), or (n, 1, d) for one value a piece."""
-        count, corners = columns["positions"].shape[:2]
-        for name, column in columns.items():
-            full = np.broadcast_to(column, (count, corners, *column.shape[2:]))
-            flat = full.reshape(count * corners, *column.shape[2:])
-            self.columns.setdefault(name, []).append(flat)
-        first = self.vertex_count + corners * np.arange(count)
-        self.indices.append(first[:, None] + triangles.ravel())
-        self.keys.append(keys)
-        self.textures.append(textures)
-        self.vertex_count += count * corners
-
-    def in_order(self) -> tuple[I64, I64, I64, list[Pixels | None] | None]:
-        """Return indices in drawing order, and of each piece in that order: key, end, texture."""
-        keys = np.concatenate(self.keys)
-        sizes = np.concatenate([np.full(len(part), part.shape[1]) for part in self.indices])
-        if len(self.keys) == 1 and (keys[1:] >= keys[:-1]).all():
-            order = np.arange(len(keys))
-            indices = self.indices[0].ravel()
-        else:
-            order = np.argsort(keys, kind="stable")
-            starts = np.empty(len(keys), np.int64)
-            starts[order] = np.cumsum(sizes[order]) - sizes[order]
-            indices = np.empty(int(sizes.sum()), np.int64)
-            done = 0
-            for part in self.indices:
-                mine = starts[done : done + len(part)]
-                indices[mine[:, None] + np.arange(part.shape[1])] = part
-                done += len(part)
-        textures: list[Pixels | None] | None = None
-        if any(part is not None for part in self.textures):
-            every: list[Pixels | None] = []
-            for part_keys, part_textures in zip(self.keys, self.textures, strict=True):
-                every += part_textures or [None] * len(part_keys)
-            textures = [every[i] for i in order]
-        return indices, keys[order], np.cumsum(sizes[order]), textures
-
-    def block(self, indices: I64) -> VertexBlock:
-        """Return the vertices with indices put in order."""
-        joined = {
-            name: parts[0] if len(parts) == 1 else np.concatenate(parts)
-            for name, parts in self.columns.items()
-        }
-        materials = None
-        if "ambient" in joined:
-            names = ("ambient", "specular", "emissive", "shininess")
-            materials = Materials(*(joined.pop(name) for name in names))  # type: ignore[arg-type] # columns are of one dtype each
-        return VertexBlock(
-            indices=indices.astype(np.uint32),
-            materials=materials,
-            **joined,  # type: ignore[arg-type] # ditto
-        )
 
 
 class Assembler:
@@ -112,9 +33,7 @@ class Assembler:
 
     def __init__(self, rows: Rows) -> None:
         self.rows = rows
-        self.layers = {layer: _Layer() for layer in Layer}
-        stages = rows.stages
-        self.is_lit = any(stage.lights is not None for stage in stages)
+        self.layers = {layer: LayerPieces() for layer in Layer}
 
     def assemble(self, expansion: Expansion) -> DrawList:
         """Return the list."""
@@ -140,7 +59,7 @@ class Assembler:
         if self.has_uvs:
             no_uvs = np.zeros((1, 1, 2), np.float32)
             columns["uvs"] = no_uvs if fills.uvs is None else fills.uvs
-        if self.is_lit:
+        if self.rows.is_lit:
             columns["normals"] = self._normals(fills, x, y, z)
             columns |= self._materials(fills)
         keys = 2 * fills.rows + fills.is_stroke
@@ -233,7 +152,7 @@ class Assembler:
             if collected.keys:
                 indices, keys, ends, textures = collected.in_order()
                 out.blocks[layer] = collected.block(indices)
-                ordered[layer] = _Order(keys >> 1, ends, textures)
+                ordered[layer] = PieceOrder(keys >> 1, ends, textures)
         for first, last in self._sections():
             self._draw_section(first, last, ordered, out)
         return out
@@ -248,7 +167,7 @@ class Assembler:
         return list(zip(starts, [*starts[1:], len(is_whole)], strict=True))
 
     def _draw_section(
-        self, first: int, last: int, ordered: dict[Layer, _Order], out: DrawList
+        self, first: int, last: int, ordered: dict[Layer, PieceOrder], out: DrawList
     ) -> None:
         stage = self.rows.stages[self.rows.states[first]]
         if self.rows.kinds[first] == Kind.SETTLE:
@@ -270,60 +189,6 @@ class Assembler:
             for begin, end, texture in ordered[layer].runs(first, last):
                 pipeline = _pipeline(stage, layer, texture)
                 _append(out, Draw(pipeline, layer, begin, end - begin))
-
-
-class _Order:
-    """Pieces of a layer in drawing order: their rows, ends of their indices, and textures."""
-
-    def sort(self, first: int, last: int, block: VertexBlock, stage: Stage) -> None:
-        """Put the triangles of the rows first..last-1 in order of depth."""
-        begin, end = (int(i) for i in np.searchsorted(self.rows, (first, last)))
-        if begin == end:
-            return
-        start = int(self.ends[begin - 1]) if begin else 0
-        run = slice(start, int(self.ends[end - 1]))
-        triangles = block.indices[run].reshape(-1, 3)
-        projection = tuple(np.float32(value) for value in stage.projection)
-        x, y, z, w = project(projection, *np.moveaxis(block.positions[triangles], 2, 0))
-        order = depth_order(np.stack([x / w, y / w, -z / w], axis=2))
-        block.indices[run] = triangles[order].ravel()
-        if self.textures is not None:
-            self._sort_textures(begin, end, start, order)
-
-    def _sort_textures(self, begin: int, end: int, start: int, order: I64) -> None:
-        """Follow sorted triangles with their textures: each triangle is a piece from now on."""
-        assert self.textures is not None
-        sizes = np.diff(self.ends[begin:end], prepend=start) // 3
-        pieces = np.repeat(np.arange(begin, end), sizes)[order]
-        single = [self.textures[piece] for piece in pieces]
-        self.textures[begin:end] = single
-        rows = np.full(len(pieces), self.rows[begin])
-        self.rows = np.concatenate([self.rows[:begin], rows, self.rows[end:]])
-        ends = start + 3 * np.arange(1, len(pieces) + 1)
-        self.ends = np.concatenate([self.ends[:begin], ends, self.ends[end:]])
-
-    def __init__(self, rows: I64, ends: I64, textures: list[Pixels | None] | None) -> None:
-        self.rows = rows
-        self.ends = ends
-        self.textures = textures
-
-    def runs(self, first: int, last: int) -> list[tuple[int, int, Pixels | None]]:
-        """Return ranges of indices of the rows first..last-1, split where the texture changes."""
-        begin, end = (int(i) for i in np.searchsorted(self.rows, (first, last)))
-        if begin == end:
-            return []
-        cuts = [begin, end]
-        if self.textures is not None:
-            ids = np.array([id(texture) for texture in self.textures[begin:end]])
-            cuts = [begin, *(begin + 1 + np.flatnonzero(ids[1:] != ids[:-1])).tolist(), end]
-        return [
-            (
-                int(self.ends[a - 1]) if a else 0,
-                int(self.ends[b - 1]),
-                self.textures[a] if self.textures is not None else None,
-            )
-            for a, b in zip(cuts, cuts[1:], strict=False)
-        ]
 
 
 def _pipeline(stage: Stage, layer: Layer, texture: Pixels | None) -> Pipeline:

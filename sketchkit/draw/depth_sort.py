@@ -98,4 +98,5 @@ def _is_beside(plane: F32, triangle: F32, nearness: int) -> bool:
 
 
 def _dot(normal: F32, points: F32) -> F32:
-    return normal[0] * points[0] + normal[1] * points[1] + normal[2] * points[2]
+    products: F32 = normal[0] * points[0] + normal[1] * points[1] + normal[2] * points[2]
+    return products

@@ -19,7 +19,7 @@ from sketchkit.geometry.rects import rect_corners
 from sketchkit.geometry.shapes import QUAD, TRIANGLE, is_aligned
 from sketchkit.geometry.solids import Solid, unit_box, unit_sphere
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
 
 
@@ -99,12 +99,11 @@ def _screen_diagonals(rows: Rows, at: I64, boxes: ellipses.Boxes) -> F32:
     """Return how long the diagonals of boxes are on the screen, (n,)."""
     left, top = rows.on_screen(at, boxes.x, boxes.y)
     right, bottom = rows.on_screen(at, boxes.x + boxes.width, boxes.y + boxes.height)
-    return np.hypot(right - left, bottom - top)
+    diagonals: F32 = np.hypot(right - left, bottom - top)
+    return diagonals
 
 
-def _add_ellipses(
-    rows: Rows, at: I64, boxes: ellipses.Boxes, sides: int, out: Expansion
-) -> None:
+def _add_ellipses(rows: Rows, at: I64, boxes: ellipses.Boxes, sides: int, out: Expansion) -> None:
     """Add ellipses of one number of sides; the box's columns are (n, 1)."""
     cosines, sines = unit_circle(sides)
     half_width, half_height = boxes.width / 2, boxes.height / 2
@@ -180,9 +179,7 @@ def _add_solids(
         some = at[filled]
         colors = rows.fills[some][:, None]
         out.fills.append(
-            Fills(
-                some, x[filled], y[filled], z[filled], solid.triangles, colors, normals=normals
-            )
+            Fills(some, x[filled], y[filled], z[filled], solid.triangles, colors, normals=normals)
         )
     stroked = at[(rows.strokes[at] >= 0) & (rows.weights[at] > 0)]
     if len(stroked):

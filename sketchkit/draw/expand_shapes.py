@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections import defaultdict
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.core import constants as c
-from sketchkit.draw.added_corners import AddedCorners
+from sketchkit.draw.added_corners import main_sources, mix_colors
 from sketchkit.draw.outlines import Dots, Outlines, add_dots, add_outlines
 from sketchkit.draw.pieces import Expansion, Fills
 from sketchkit.draw.recorder import ShapeRun
-from sketchkit.draw.resources import Pixels
 from sketchkit.draw.rows import Rows
-from sketchkit.geometry.polygons import tessellate
+from sketchkit.geometry.polygons import interpolate, tessellate
 from sketchkit.geometry.shapes import (
     TRIANGLE,
     Faces,
@@ -88,7 +88,8 @@ def expand_shapes(rows: Rows, at: I64, out: Expansion) -> None:
 
 
 def _shape(rows: Rows, row: int) -> ShapeRun:
-    return rows.recorder.shapes[rows.links[row]]
+    shape: ShapeRun = rows.recorder.shapes[rows.links[row]]
+    return shape
 
 
 def _runs(rows: Rows, at: I64) -> tuple[I64, I64]:
@@ -106,9 +107,7 @@ def _expand_dots(rows: Rows, corners: Corners, at: I64, out: Expansion) -> None:
     index = firsts[owner] + local
     x, y, z = corners.places[index].T
     owners = at[owner]
-    add_dots(
-        rows, Dots(owners, x, y, z, corners.strokes[index], rows.weights[owners]), out
-    )
+    add_dots(rows, Dots(owners, x, y, z, corners.strokes[index], rows.weights[owners]), out)
 
 
 def _expand_lines(rows: Rows, corners: Corners, at: I64, kind: int, out: Expansion) -> None:
@@ -150,27 +149,37 @@ def _expand_faces(rows: Rows, corners: Corners, at: I64, kind: int, out: Expansi
         return
     owners = at[found.shapes]
     shapes = [_shape(rows, row) for row in at]
-    has_normals = np.array([shape.has_normals for shape in shapes])[found.shapes]
-    normals = corners.normals.copy()
-    if not has_normals.all():
-        without = found._replace(corners=found.corners[~has_normals])
-        made = vertex_normals(corners.places, without)
-        touched = np.unique(without.corners)
-        normals[touched] = made[touched]
+    normals = _normals(corners, found, shapes) if rows.is_lit else None
     snap = _snap(rows, corners, found, owners)
     filled = rows.fills[owners] >= 0
     textured = np.array([shape.texture is not None for shape in shapes])[found.shapes]
     for wants_texture in (False, True):
         mine = filled & (textured == wants_texture)
-        if mine.any():
-            index = found.corners[mine]
-            fills = _fills(rows, corners, owners[mine], index, found.triangles)
-            fills.normals = normals[index]
-            fills.snap = None if snap is None else snap[mine]
-            if wants_texture:
-                fills.uvs = corners.uvs[index]
-            out.fills.append(fills)
+        if not mine.any():
+            continue
+        index = found.corners[mine]
+        fills = _fills(rows, corners, owners[mine], index, found.triangles)
+        fills.normals = None if normals is None else normals[index]
+        fills.snap = None if snap is None else snap[mine]
+        if wants_texture:
+            fills.uvs = corners.uvs[index]
+            textures = [shape.texture for shape in shapes]
+            fills.textures = [textures[i] for i in found.shapes[mine]]
+        out.fills.append(fills)
     _add_polylines(rows, corners, found.corners, owners, out, is_closed=True)
+
+
+def _normals(corners: Corners, found: Faces, shapes: list[ShapeRun]) -> F32:
+    """Return normals of all corners, (v, 3): the sketch's, or those of the faces."""
+    given = np.array([shape.has_normals for shape in shapes])[found.shapes]
+    if given.all():
+        return corners.normals
+    without = found._replace(corners=found.corners[~given])
+    made = vertex_normals(corners.places, without)
+    if given.any():
+        kept = found.corners[given]
+        made[kept] = corners.normals[kept]
+    return made
 
 
 def _snap(rows: Rows, corners: Corners, found: Faces, owners: I64) -> NDArray[np.bool_] | None:
@@ -180,10 +189,11 @@ def _snap(rows: Rows, corners: Corners, found: Faces, owners: I64) -> NDArray[np
         return None
     places = corners.places[found.corners]
     is_triangle = found.corners.shape[1] == len(TRIANGLE[0])
-    fits = is_aligned(places[..., 0], places[..., 1], triangles=is_triangle)
+    fits: NDArray[np.bool_] = is_aligned(places[..., 0], places[..., 1], triangles=is_triangle)
     if not fits.all():
         fits = ~np.isin(owners, owners[~fits])
-    return may & fits
+    snap: NDArray[np.bool_] = may & fits
+    return snap
 
 
 def _fills(rows: Rows, corners: Corners, owners: I64, index: I64, triangles: I64) -> Fills:
@@ -196,17 +206,9 @@ def _fills(rows: Rows, corners: Corners, owners: I64, index: I64, triangles: I64
         places[..., 2],
         triangles,
         corners.fills[index],
-        textures=_textures(rows, owners),
         ambient=rows.fills[owners][:, None],
         attributes=corners.attributes[index],
     )
-
-
-def _textures(rows: Rows, owners: I64) -> list[Pixels] | None:
-    """Return the texture of each piece; None if they have none."""
-    found = [_shape(rows, row).texture for row in owners]
-    textures = [texture for texture in found if texture is not None]
-    return textures if len(textures) == len(found) else None
 
 
 def _expand_polygons(rows: Rows, corners: Corners, at: I64, out: Expansion) -> None:
@@ -231,7 +233,7 @@ def _contours(corners: Corners, shape: ShapeRun) -> list[I64]:
     """Return the corners of each contour; of corners that repeat, the first."""
     bounds = [0, *shape.contours, shape.count]
     contours = []
-    for first, last in zip(bounds, bounds[1:], strict=False):
+    for first, last in pairwise(bounds):
         index = np.arange(shape.first + first, shape.first + last)
         places = corners.places[index]
         moved = np.ones(len(index), np.bool_)
@@ -243,25 +245,25 @@ def _contours(corners: Corners, shape: ShapeRun) -> list[I64]:
     return contours
 
 
-def _fill_polygon(
-    rows: Rows, corners: Corners, row: int, shape: ShapeRun, out: Expansion
-) -> None:
+def _fill_polygon(rows: Rows, corners: Corners, row: int, shape: ShapeRun, out: Expansion) -> None:
     """Fill one polygon; corners that arise where outlines cross blend those of their edges."""
     bounds = [0, *shape.contours, shape.count]
-    lengths = [last - first for first, last in zip(bounds, bounds[1:], strict=False)]
+    lengths = [last - first for first, last in pairwise(bounds)]
     run = slice(shape.first, shape.first + shape.count)
     points = corners.places[run].astype(np.float64)
     found = tessellate(points, lengths)
     if not len(found.triangles):
         return
-    added = AddedCorners(found)
-    index = shape.first + added.nearest(shape.count)[found.triangles]
+    index = shape.first + main_sources(found, shape.count)[found.triangles]
     fills = _fills(rows, corners, np.full(len(found.triangles), row), index, TRIANGLE)
-    places = added.mix(points)[found.triangles].astype(np.float32)
+    places = interpolate(found, points)[found.triangles].astype(np.float32)
     fills.x, fills.y, fills.z = places[..., 0], places[..., 1], places[..., 2]
-    fills.colors = added.mix_colors(corners.fills[run])[found.triangles]
+    fills.colors = mix_colors(found, corners.fills[run])[found.triangles]
     if shape.has_normals:
-        fills.normals = added.mix(corners.normals[run])[found.triangles].astype(np.float32)
+        normals = interpolate(found, corners.normals[run].astype(np.float64))
+        fills.normals = normals[found.triangles].astype(np.float32)
     if shape.texture is not None:
-        fills.uvs = added.mix(corners.uvs[run])[found.triangles].astype(np.float32)
+        fills.textures = [shape.texture] * len(found.triangles)
+        uvs = interpolate(found, corners.uvs[run].astype(np.float64))
+        fills.uvs = uvs[found.triangles].astype(np.float32)
     out.fills.append(fills)

@@ -8,17 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.core.constants import ROUND
-from sketchkit.draw.added_corners import AddedCorners
+from sketchkit.draw.added_corners import mix_colors
 from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
 from sketchkit.draw.pipeline import Blend
 from sketchkit.draw.rows import ZERO, Rows
 from sketchkit.geometry.circles import fan, side_count, unit_circle
-from sketchkit.geometry.polygons import tessellate
+from sketchkit.geometry.polygons import interpolate, tessellate
 from sketchkit.geometry.shapes import SAME
 from sketchkit.geometry.stroke_rings import stroke_rings
 from sketchkit.geometry.strokes import Pieces, Polylines, thin_stroke, wide_stroke
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
 Bool = NDArray[np.bool_]
 
@@ -145,11 +145,11 @@ def _add_wide(rows: Rows, outlines: Outlines, out: Expansion) -> None:
     styles = [rows.styles[state] for state in states]
     blends = [rows.stages[state].blend for state in states]
     # Where pieces overlap does not show if they are opaque and of one colour, or if there is one.
-    may_overlap = ((outlines.colors >> 24).min(axis=1) == OPAQUE) & (
-        outlines.colors == outlines.colors[:, :1]
-    ).all(axis=1)
-    may_overlap &= np.array([blend in PAINTS_ONCE for blend in blends])
-    may_overlap |= outlines.x.shape[1] == 2
+    is_opaque = (outlines.colors >> 24).min(axis=1) == OPAQUE
+    is_plain = (outlines.colors == outlines.colors[:, :1]).all(axis=1)
+    paints_once = np.array([blend in PAINTS_ONCE for blend in blends], np.bool_)
+    is_single = outlines.x.shape[1] == 2
+    may_overlap = np.asarray((is_opaque & is_plain & paints_once) | is_single)
     keys = [
         (float(weight), style.stroke_cap, style.stroke_join, bool(free))
         for weight, style, free in zip(outlines.weights[:, 0], styles, may_overlap, strict=True)
@@ -183,9 +183,8 @@ def _add_united(outlines: Outlines, weight: float, cap: int, join: int, out: Exp
         found = tessellate(points, lengths)
         if not len(found.triangles):
             continue
-        added = AddedCorners(found)
-        colors = added.mix_colors(np.broadcast_to(some.colors, some.x.shape).ravel()[sources])
-        corners = added.mix(points)[found.triangles].astype(np.float32)
+        colors = mix_colors(found, np.broadcast_to(some.colors, some.x.shape).ravel()[sources])
+        corners = interpolate(found, points)[found.triangles].astype(np.float32)
         out.fills.append(
             Fills(
                 np.full(len(corners), row),
@@ -221,8 +220,9 @@ def add_dots(rows: Rows, dots: Dots, out: Expansion) -> None:
         some = Dots(*(column[mine] for column in dots))
         if key[0]:
             cosines, sines = unit_circle(key[0])
-            unit_x = np.append(np.float32(0), cosines / 2)[None]
-            unit_y = np.append(np.float32(0), sines / 2)[None]
+            hub = np.zeros(1, np.float32)
+            unit_x = np.concatenate([hub, cosines / 2])[None]
+            unit_y = np.concatenate([hub, sines / 2])[None]
         else:
             unit_x, unit_y = SQUARE_X, SQUARE_Y
         _add_fans(rows, some, (unit_x, unit_y), out, is_round=bool(key[0]), is_3d=key[1])
@@ -254,5 +254,3 @@ def _add_fans(
             snap=None if is_round else rows.can_snap[states],
         )
     )
-
-

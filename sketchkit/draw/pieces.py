@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from sketchkit.draw.resources import Pixels
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
 Bool = NDArray[np.bool_]
 

@@ -107,13 +107,11 @@ class ShapeRun(NamedTuple):
         Its texture coordinates, one for each corner, 0..1; None if it has no texture.
     has_normals : bool
         Whether the sketch gave a normal, so that none are made from the faces.
-    ambient : int
-        The fill colour, which lit textured shapes take as their ambient colour.
     """
 
     kind: int
     first: int
-    count: int
+    count: int  # type: ignore[assignment] # hides tuple.count, which nobody asks of a run
     is_closed: bool
     contours: tuple[int, ...]
     first_uv: int | None

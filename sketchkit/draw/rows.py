@@ -59,6 +59,11 @@ class Rows:
         return self.of_states(lambda state: self.stages[state].is_3d, np.bool_)
 
     @cached_property
+    def is_lit(self) -> bool:
+        """Whether any row may be lit, so that normals and materials are needed."""
+        return any(stage.lights is not None for stage in self.stages)
+
+    @cached_property
     def scales(self) -> F32:
         """By how much each state's matrix enlarges: cube root of its determinant, (s,)."""
         a, b, c, _, d, e, f, _, g, h, i, _ = self.matrices.T.astype(np.float64)
@@ -68,7 +73,7 @@ class Rows:
     @cached_property
     def can_snap(self) -> Bool:
         """Whether each state moves aligned shapes to whole pixels, (s,): P2D without rotation."""
-        turned = np.abs(self.matrices[:, [1, 4]]).max(axis=1, initial=0) >= ALMOST_ZERO
+        turned: Bool = np.abs(self.matrices[:, [1, 4]]).max(axis=1, initial=0) >= ALMOST_ZERO
         return ~self.is_3d & ~turned
 
     @cached_property
@@ -122,8 +127,9 @@ class Rows:
 ZERO: F32 = np.zeros((1, 1), np.float32)
 
 
-def project(p: Mat4, x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """Return x, y, z and w in clip space of eye-space points."""
+def project(matrix: Mat4, x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return x, y, z and w in clip space of eye-space points, in single precision if they are."""
+    p = [x.dtype.type(number) for number in matrix]
     return (
         p[0] * x + p[1] * y + p[2] * z + p[3],
         p[4] * x + p[5] * y + p[6] * z + p[7],

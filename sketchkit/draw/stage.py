@@ -1,4 +1,4 @@
-"""What a row is drawn with, apart from its own numbers: the part of the state that is the canvas's."""
+"""Stage: what rows are drawn with, apart from their own numbers and their style."""
 
 from __future__ import annotations
 

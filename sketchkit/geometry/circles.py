@@ -1,4 +1,4 @@
-"""Circles as Processing draws them: polygons whose corners lie at whole multiples of half a degree."""
+"""Circles as Processing draws them: polygons with corners at whole multiples of half a degree."""
 
 from __future__ import annotations
 
@@ -29,7 +29,8 @@ def side_count(diagonals: F32) -> I64:
         Length on the screen of the diagonal of the bounding box, or the weight of a point.
     """
     sides = np.float32(2 * np.pi) * diagonals / np.float32(PIXELS_PER_SIDE)
-    return np.clip(np.nan_to_num(sides), FEWEST_SIDES, MOST_SIDES).astype(np.int64)
+    counts: I64 = np.clip(np.nan_to_num(sides), FEWEST_SIDES, MOST_SIDES).astype(np.int64)
+    return counts
 
 
 @cache

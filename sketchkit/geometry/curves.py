@@ -65,9 +65,7 @@ def spline_points(control: F64, detail: int, tightness: float) -> F64:
 
 def quadratic_to_cubic(start: F64, control: F64, end: F64) -> F64:
     """Return the four points of the cubic curve that equals a quadratic one, (4, d)."""
-    return np.stack(
-        [start, start + (control - start) * 2 / 3, end + (control - end) * 2 / 3, end]
-    )
+    return np.stack([start, start + (control - start) * 2 / 3, end + (control - end) * 2 / 3, end])
 
 
 def bezier_point(a: float, b: float, c: float, d: float, t: float) -> float:
@@ -88,4 +86,6 @@ def spline_point(points: tuple[float, float, float, float], t: float, tightness:
 
 def spline_tangent(points: tuple[float, float, float, float], t: float, tightness: float) -> float:
     """Return one coordinate of the derivative of a spline at `t`."""
-    return float(np.array([3 * t * t, 2 * t, 1.0, 0.0]) @ _catmull_rom(tightness) @ np.array(points))
+    return float(
+        np.array([3 * t * t, 2 * t, 1.0, 0.0]) @ _catmull_rom(tightness) @ np.array(points)
+    )

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from sketchkit.core import constants as c
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
 
 SAME = 1.2e-7  # Processing takes coordinates that are closer than float32's epsilon for equal
@@ -91,7 +91,8 @@ def triangle_normals(a: F32, b: F32, c: F32) -> F32:
     """
     normals = np.cross(c - b, a - b)
     lengths = np.sqrt((normals * normals).sum(axis=1, keepdims=True))
-    return np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
+    unit: F32 = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
+    return unit
 
 
 def vertex_normals(positions: F32, faces: Faces) -> F32:
@@ -114,8 +115,8 @@ def is_aligned(x: F32, y: F32, *, triangles: bool) -> NDArray[np.bool_]:
 
     `x`, `y` are (m, k), one row for each face.
     """
-    flat = (np.abs(x - np.roll(x, -1, axis=1)) < SAME) | (np.abs(y - np.roll(y, -1, axis=1)) < SAME)
+    dx, dy = x - np.roll(x, -1, axis=1), y - np.roll(y, -1, axis=1)
+    flat = (np.abs(dx) < SAME) | (np.abs(dy) < SAME)
     if triangles:
-        return flat.sum(axis=1) >= 2
-    aligned: NDArray[np.bool_] = flat[:, :3].all(axis=1)
-    return aligned
+        return np.asarray(flat.sum(axis=1) >= 2)
+    return np.asarray(flat[:, :3].all(axis=1))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sketchkit.geometry.circles import COSINES, HALF_DEGREES, SINES
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
 
 

@@ -1,4 +1,4 @@
-"""The outline of a wide stroke as one ring for each line, for strokes that must not overlap themselves.
+"""The outline of a wide stroke as one ring for each line: for strokes whose overlaps would show.
 
 What is inside by the non-zero rule is the stroke. The corners come in the order, and with the
 colours, of Processing's own stroker: where colours vary along a line, both show in the triangles.

@@ -9,6 +9,7 @@ own stroker (Java2D's "pisces") outlines, measured and read.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from sketchkit.core.constants import BEVEL, PROJECT, ROUND
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 F64 = NDArray[np.float64]
 I64 = NDArray[np.int64]
 
@@ -66,7 +67,7 @@ class Pieces(NamedTuple):
 
 
 def _directions(lines: Polylines) -> tuple[F32, F32, F32]:
-    """Return unit direction and length of each segment, (n, s) each; (0, 0) for one of no length."""
+    """Return unit direction and length of each segment, (n, s) each; of no length: (0, 0)."""
     (x0, y0), (x1, y1) = lines.ends()
     dx, dy = x1 - x0, y1 - y0
     length = np.sqrt(dx * dx + dy * dy)
@@ -98,7 +99,7 @@ def thin_stroke(lines: Polylines, weights: F32) -> Pieces:
     return _pieces(x, y, [begin, begin, end, end], len(lines.x))
 
 
-def _pieces(x: list[F32], y: list[F32], points: list[I64], line_count: int) -> Pieces:
+def _pieces(x: Sequence[F32], y: Sequence[F32], points: Sequence[I64], line_count: int) -> Pieces:
     """Stack corners, each (n, s), to pieces in the order of the lines, then of the segments."""
     corners = len(x)
     segments = x[0].shape[1]
@@ -127,8 +128,12 @@ def wide_stroke(lines: Polylines, weight: float, cap: int, join: int) -> list[Pi
     begin, end = _segment_points(lines)
     count = len(lines.x)
     quads = [
-        _pieces([x0 + mx, x1 + mx, x1, x0], [y0 + my, y1 + my, y1, y0], [begin, end, end, begin], count),
-        _pieces([x0, x1, x1 - mx, x0 - mx], [y0, y1, y1 - my, y0 - my], [begin, end, end, begin], count),
+        _pieces(
+            [x0 + mx, x1 + mx, x1, x0], [y0 + my, y1 + my, y1, y0], [begin, end, end, begin], count
+        ),
+        _pieces(
+            [x0, x1, x1 - mx, x0 - mx], [y0, y1, y1 - my, y0 - my], [begin, end, end, begin], count
+        ),
     ]
     fans = [] if (joints := joints_of(lines, mx, my)) is None else [join_fans(joints, weight, join)]
     if not lines.is_closed and cap in (ROUND, PROJECT):
@@ -150,7 +155,7 @@ class Joints(NamedTuple):
     by: F32
     side: F32
     points: I64
-    count: int
+    lines: int
 
 
 def joints_of(lines: Polylines, mx: F32, my: F32) -> Joints | None:
@@ -182,7 +187,7 @@ def joints_of(lines: Polylines, mx: F32, my: F32) -> Joints | None:
 
 def join_fans(joints: Joints, weight: float, join: int) -> Pieces:
     """Return a fan around each joint."""
-    cx, cy, ax, ay, bx, by, _, points, count = joints
+    cx, cy, ax, ay, bx, by, _, points, line_count = joints
     rim_x, rim_y = [ax, bx], [ay, by]
     if join == ROUND:
         arc_x, arc_y = _round_rim(joints, weight, _bend(joints))
@@ -190,7 +195,7 @@ def join_fans(joints: Joints, weight: float, join: int) -> Pieces:
     elif join != BEVEL:
         tip_x, tip_y = _miter_tip(joints, weight)
         rim_x, rim_y = [ax, tip_x, bx], [ay, tip_y, by]
-    return _pieces([cx, *rim_x], [cy, *rim_y], [points] * (len(rim_x) + 1), count)
+    return _pieces([cx, *rim_x], [cy, *rim_y], [points] * (len(rim_x) + 1), line_count)
 
 
 def _miter_tip(joints: Joints, weight: float) -> tuple[F32, F32]:
@@ -235,7 +240,9 @@ def _round_rim(joints: Joints, weight: float, bend: F32) -> tuple[list[F32], lis
     return [x[..., i] for i in range(sides)], [y[..., i] for i in range(sides)]
 
 
-def cap_fans(lines: Polylines, mx: F32, my: F32, weight: float, cap: int, *, at_end: bool) -> Pieces:
+def cap_fans(
+    lines: Polylines, mx: F32, my: F32, weight: float, cap: int, *, at_end: bool
+) -> Pieces:
     """Return a fan around one end of each line."""
     column = slice(-1, None) if at_end else slice(0, 1)
     sign = np.float32(1 if at_end else -1)

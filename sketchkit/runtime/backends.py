@@ -22,7 +22,7 @@ RENDERERS = tuple(MAKERS)
 PREFERRED, FALLBACK = RENDERERS
 
 
-class NoRendererError(Exception):
+class RendererError(Exception):
     """The renderer that was asked for cannot work here; the message is a sentence that says why."""
 
 
@@ -44,14 +44,14 @@ def open_backend(name: str | None = None) -> Choice:
 
     Raises
     ------
-    NoRendererError
+    RendererError
         If the one named cannot work.
     """
     if name is not None:
         return Choice(_open(name))
     try:
         return Choice(_open(PREFERRED))
-    except NoRendererError as reason:
+    except RendererError as reason:
         remark = f"No OpenGL here ({reason}): drawing with the CPU renderer instead."
         return Choice(_open(FALLBACK), remark)
 
@@ -64,4 +64,4 @@ def _open(name: str) -> Backend:
             maker = getattr(maker, part)
         return cast(Callable[[], Backend], maker)()
     except (ImportError, RuntimeError) as reason:
-        raise NoRendererError(f"{reason}") from reason
+        raise RendererError(f"{reason}") from reason

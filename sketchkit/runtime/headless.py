@@ -50,28 +50,39 @@ class Frame:
     repeats: int | None = None
 
 
-def render(
-    path: Path,
-    numbers: Sequence[int],
-    backend: Backend,
-    *,
-    seed: int = 0,
-    tell: Tell,
-) -> Iterator[Frame]:
+@dataclass(frozen=True)
+class Launch:
+    """How a sketch is started.
+
+    Attributes
+    ----------
+    path : Path
+        Its file.
+    tell : callable
+        Called with file, line and text of each remark that does not stop it.
+    seed : int
+        Where its random numbers begin.
+    args : sequence of str
+        What it sees as `args`.
+    """
+
+    path: Path
+    tell: Tell
+    seed: int = 0
+    args: Sequence[str] = ()
+
+
+def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator[Frame]:
     """Yield the pictures of some frames of a sketch, in rising order.
 
     Parameters
     ----------
-    path : Path
-        The sketch's file.
+    launch : Launch
+        The sketch.
     numbers : sequence of int
         Values of frameCount; 0 is the picture after `setup()`.
     backend : Backend
         What draws.
-    seed : int
-        Where all random numbers begin.
-    tell : callable
-        Called with file, line and text of each remark.
 
     Raises
     ------
@@ -80,21 +91,14 @@ def render(
     """
     renderer = Renderer(backend)
     clock = VirtualClock()
-    with opened(path, renderer, clock, seed=seed, tell=tell) as loop:
-        seed_everything(seed)
+    with opened(launch, renderer, clock) as loop:
+        seed_everything(launch.seed)
         yield from _frames(loop, clock, renderer, sorted(set(numbers)))
 
 
 @contextmanager
 def opened(
-    path: Path,
-    renderer: Renderer,
-    clock: Clock,
-    *,
-    host: Host | None = None,
-    args: Sequence[str] = (),
-    seed: int = 0,
-    tell: Tell,
+    launch: Launch, renderer: Renderer, clock: Clock, host: Host | None = None
 ) -> Iterator[Loop]:
     """Read a sketch and make it ready to begin; at the end of the block it is gone.
 
@@ -103,14 +107,18 @@ def opened(
     StoppedError
         If it cannot be read, or stops by a mistake in the block.
     """
-    with reporting(path):
-        source = Source.read(path)
-    canvas = PGraphics(renderer, Target(FIRST_SIZE, FIRST_SIZE))
+    with reporting(launch.path):
+        source = Source.read(launch.path)
     sketch = Sketch(
-        canvas, clock=clock, host=host, folder=source.path.parent, args=args, seed=seed
+        PGraphics(renderer, Target(FIRST_SIZE, FIRST_SIZE)),
+        clock=clock,
+        host=host,
+        folder=source.path.parent,
+        args=launch.args,
+        seed=launch.seed,
     )
-    program = Program(source, sketch, tell)
-    with reporting(path, program), program:
+    program = Program(source, sketch, launch.tell)
+    with reporting(launch.path, program), program:
         yield Loop(program)
 
 

@@ -25,6 +25,7 @@ import numpy as np
 from sketchkit.api.live import LiveFlag
 from sketchkit.api.names import live_values, names_of
 from sketchkit.api.sketch import Sketch
+from sketchkit.assets.paths import set_sketch_folder, sketch_folder
 from sketchkit.core import running
 from sketchkit.core.notices import SketchWarning
 from sketchkit.runtime.siblings import SiblingFinder
@@ -88,6 +89,7 @@ class Program:
         restore.callback(os.chdir, os.getcwd())
         restore.callback(sys.path.__setitem__, slice(None), list(sys.path))
         restore.callback(sys.modules.__setitem__, MODULE, sys.modules[MODULE])
+        restore.callback(set_sketch_folder, sketch_folder())
         restore.callback(self._finder.forget)
         restore.callback(sys.meta_path.remove, self._finder)
         restore.callback(running.leave, self._running)

@@ -1,4 +1,4 @@
-"""A sketch in a window: frames at the right time, mistakes shown, and a fresh start on each save."""
+"""A sketch in a window: frames in time, mistakes shown, and a fresh start on each save."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.runtime.events import AnyEvent
-from sketchkit.runtime.headless import opened
+from sketchkit.runtime.headless import Launch, opened
 from sketchkit.runtime.loader import Tell
 from sketchkit.runtime.loop import Loop
 from sketchkit.runtime.reload import Watch, compile_all
@@ -108,15 +108,8 @@ class Player:
     def _run(self) -> Ending:
         renderer = Renderer(self._screen.backend)
         seed = time.time_ns() & 0xFFFFFFFF
-        with opened(
-            self._path,
-            renderer,
-            RealClock(),
-            host=self._screen,
-            args=self._args,
-            seed=seed,
-            tell=self._tell,
-        ) as loop:
+        launch = Launch(self._path, self._tell, seed, self._args)
+        with opened(launch, renderer, RealClock(), self._screen) as loop:
             try:
                 loop.begin()
             finally:
@@ -139,9 +132,10 @@ class Player:
             now_s = time.perf_counter()
             if loop.is_drawing and now_s < due_s:
                 continue
-            if not loop.step():
-                continue
+            is_new = loop.step()
             self._show_picture()
+            if not is_new:
+                continue
             due_s = max(due_s + 1 / self._screen.pace(progress.wanted_rate), now_s)
             progress.measured_rate = _smoothed(progress.measured_rate, now_s - last_s)
             last_s = now_s
@@ -172,7 +166,7 @@ class Player:
 
     def _show(self, report: Report) -> None:
         self._say(report)
-        self._screen.set_title(f"{self._path.stem}: stopped by a mistake in {report.place}")
+        self._screen.set_title(f"{self._path.stem}: a mistake in {report.place}")
 
     def _show_picture(self) -> None:
         if self._picture is not None:

@@ -93,9 +93,7 @@ class Buffers:
     """The vertices of the list that is being drawn."""
 
     def __init__(self, context: moderngl.Context) -> None:
-        self._ring = [
-            {layer: _LayerBuffers(context) for layer in Layer} for _ in range(RING)
-        ]
+        self._ring = [{layer: _LayerBuffers(context) for layer in Layer} for _ in range(RING)]
         self._turn = 0
 
     def upload(self, blocks: dict[Layer, VertexBlock]) -> None:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any
+from types import ModuleType
 
 import moderngl
 
 REQUIRED = 330  # OpenGL 3.3 core: the newest that every platform has
 
 
-class NoContext(RuntimeError):
+class NoContextError(RuntimeError):
     """No OpenGL 3.3 can be had here; the message says what was tried."""
 
 
@@ -19,7 +19,7 @@ def headless_context() -> tuple[moderngl.Context, str]:
 
     Raises
     ------
-    NoContext
+    NoContextError
         With what each way answered.
     """
     answers = []
@@ -28,7 +28,7 @@ def headless_context() -> tuple[moderngl.Context, str]:
             return make(), name
         except Exception as problem:  # moderngl and glfw raise bare Exception
             answers.append(f"{name}: {problem}")
-    raise NoContext("no OpenGL 3.3 without a window (" + "; ".join(answers) + ")")
+    raise NoContextError("no OpenGL 3.3 without a window (" + "; ".join(answers) + ")")
 
 
 def window_context() -> moderngl.Context:
@@ -36,18 +36,18 @@ def window_context() -> moderngl.Context:
 
     Raises
     ------
-    NoContext
+    NoContextError
         If it offers less than OpenGL 3.3.
     """
     try:
         return moderngl.create_context(require=REQUIRED)
     except Exception as problem:  # moderngl raises bare Exception
-        raise NoContext(str(problem)) from problem
+        raise NoContextError(str(problem)) from problem
 
 
 def _egl_context() -> moderngl.Context:
-    # mypy: moderngl types the settings of its backends as nothing in particular.
-    return moderngl.create_context(standalone=True, backend="egl", require=REQUIRED)  # type: ignore[call-arg]
+    # moderngl's stubs take all settings for dicts.
+    return moderngl.create_context(standalone=True, backend="egl", require=REQUIRED)  # type: ignore[arg-type]
 
 
 def _osmesa_context() -> moderngl.Context:
@@ -56,7 +56,7 @@ def _osmesa_context() -> moderngl.Context:
 
     glfw.init_hint(glfw.PLATFORM, glfw.PLATFORM_NULL)
     if not glfw.init():
-        raise NoContext("GLFW could not be started")
+        raise NoContextError("GLFW could not be started")
     for hint, value in (
         (glfw.CONTEXT_CREATION_API, glfw.OSMESA_CONTEXT_API),
         (glfw.CONTEXT_VERSION_MAJOR, REQUIRED // 100),
@@ -67,15 +67,15 @@ def _osmesa_context() -> moderngl.Context:
         glfw.window_hint(hint, value)
     window = glfw.create_window(16, 16, "sketchkit", None, None)
     if not window:
-        raise NoContext("OSMesa is not installed, or too old for OpenGL 3.3")
+        raise NoContextError("OSMesa is not installed, or too old for OpenGL 3.3")
     glfw.make_context_current(window)
-    return moderngl.create_context(context=_GlfwLoader(glfw, window), require=REQUIRED)  # type: ignore[call-arg] # as above
+    return moderngl.create_context(context=_GlfwLoader(glfw, window), require=REQUIRED)  # type: ignore[arg-type] # as above
 
 
 class _GlfwLoader:
     """Hands moderngl the functions of the context that GLFW has made current."""
 
-    def __init__(self, glfw: Any, window: object) -> None:  # Any: the module ships no types
+    def __init__(self, glfw: ModuleType, window: object) -> None:
         self._glfw = glfw
         self._window = window
 

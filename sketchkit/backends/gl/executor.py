@@ -62,7 +62,7 @@ class GlBackend:
 
         Raises
         ------
-        NoContext
+        NoContextError
             If no OpenGL 3.3 can be had.
         """
         return cls(*headless_context())
@@ -73,7 +73,7 @@ class GlBackend:
 
         Raises
         ------
-        NoContext
+        NoContextError
             If the window has less than OpenGL 3.3.
         """
         return cls(window_context(), "window")
@@ -104,10 +104,12 @@ class GlBackend:
                 self._clear(command)
             else:
                 self._settle(command)
+        if bound is not None:  # else it would hold for copies too
+            self._surfaces.get(bound.target).framebuffer.scissor = None  # type: ignore[assignment]
 
     def _clear(self, command: Clear) -> None:
         framebuffer = self._surfaces.get(command.target).framebuffer
-        framebuffer.scissor = None
+        framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget that it may be
         framebuffer.depth_mask = command.depth
         red, green, blue, alpha = (channel / 255 for channel in command.color)
         framebuffer.clear(red, green, blue, alpha, depth=1.0)
@@ -130,7 +132,7 @@ class GlBackend:
         framebuffer = self._surfaces.get(target).framebuffer
         framebuffer.use()
         framebuffer.depth_mask = pipeline.depth_write
-        framebuffer.scissor = _scissor(pipeline)
+        framebuffer.scissor = _scissor(pipeline)  # type: ignore[assignment] # the same
         (context.enable if pipeline.depth_test else context.disable)(moderngl.DEPTH_TEST)
         context.depth_func = "<="
         # Clockwise as seen on the picture is the front; OpenGL counts with y up.
@@ -140,7 +142,7 @@ class GlBackend:
         replaces = pipeline.blend is Blend.REPLACE
         alpha = (moderngl.ONE, moderngl.ZERO if replaces else moderngl.ONE)
         context.blend_equation = rule.equation, moderngl.FUNC_ADD
-        context.blend_func = rule.source, rule.destination, *alpha
+        context.blend_func = (rule.source, rule.destination, *alpha)  # type: ignore[assignment] # the stubs know pairs alone
         if pipeline.texture is not None:
             self._textures.use(pipeline.texture, pipeline.wrap)
         set_uniforms(self._programs.get(pipeline.program), pipeline)

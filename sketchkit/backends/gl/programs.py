@@ -1,4 +1,4 @@
-"""Programs: compiled once, with the vertex columns that each reads and the uniforms of a pipeline."""
+"""Programs: compiled once; the vertex columns that each reads, and a pipeline's uniforms."""
 
 from __future__ import annotations
 

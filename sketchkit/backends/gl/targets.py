@@ -44,7 +44,7 @@ class Surface:
         `first_sample` draws the first sample of the multisampled texture that is bound.
         """
         framebuffer = self.framebuffer
-        framebuffer.scissor = None
+        framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget that it may be
         if how is Settling.TURN:
             self._turn_over(context, first_sample)
         elif how is Settling.MEAN and self._colors is not None:
@@ -76,11 +76,12 @@ class Surface:
 
     def release(self) -> None:
         """Let go of everything on the GPU."""
-        for part in {self.framebuffer, self._averaged}:
-            part.release()
-        for part in (self.image, self.depth, self._colors):
-            if part is not None:
-                part.release()
+        if self._colors is not None:
+            self._colors.release()
+            self.framebuffer.release()
+        self._averaged.release()
+        self.image.release()
+        self.depth.release()
 
 
 def _samples(target: Target) -> int:

@@ -1,0 +1,70 @@
+"""Solar system: pushMatrix() remembers the sun while a planet is drawn, and the planet for its moon."""
+# check: compare frames=1,30
+
+# distance, radius, days for one turn around the sun, colour, moons
+planets = [
+    (75, 5, 88, "#B9A78F", 0),
+    (110, 9, 225, "#E0B868", 0),
+    (155, 10, 365, "#4C8FD8", 1),
+    (200, 7, 687, "#C8553D", 2),
+    (290, 24, 4333, "#D8A878", 4),
+]
+stars = []
+
+
+def setup():
+    size(640, 400, P3D)
+    sphereDetail(20)
+    for i in range(250):
+        stars.append((random(-300, 940), random(-200, 600), random(1, 3)))
+
+
+def draw():
+    background(10, 10, 26)
+    drawStars()
+    translate(width / 2, height / 2, -80)
+    rotateX(radians(-28))
+    drawOrbits()
+    noStroke()
+    fill(255, 214, 90)
+    sphere(38)
+
+    # The sun shines from where it is, on all that is drawn after this.
+    ambientLight(45, 45, 60)
+    pointLight(255, 246, 225, 0, 0, 0)
+    for distance, radius, year, colour, moons in planets:
+        pushMatrix()
+        rotateY(TWO_PI * (frameCount * 2 + 120) / year + distance)
+        translate(distance, 0, 0)
+        fill(colour)
+        sphere(radius)
+        drawMoons(moons, radius)
+        popMatrix()
+
+
+def drawMoons(count, radius):
+    fill(210)
+    for i in range(count):
+        pushMatrix()
+        rotateY(frameCount * 0.08 + i * TWO_PI / count)
+        translate(radius + 7, 0, 0)
+        sphere(2.5)
+        popMatrix()
+
+
+def drawOrbits():
+    noFill()
+    stroke(70, 80, 120)
+    strokeWeight(1)
+    pushMatrix()
+    rotateX(HALF_PI)
+    for planet in planets:
+        circle(0, 0, planet[0] * 2)
+    popMatrix()
+
+
+def drawStars():
+    stroke(220, 225, 255)
+    for x, y, thickness in stars:
+        strokeWeight(thickness)
+        point(x, y, -300)

@@ -1,0 +1,200 @@
+"""Faces at a size: how wide text is, and where its letters lie.
+
+FreeType draws the letters, through Pillow, with the hints that the face has: so Java does, and the
+default face comes out as Processing's to the last bit.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property, lru_cache
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from sketchkit.assets.glyph_atlas import MOST_COLUMNS, GlyphAtlas
+from sketchkit.assets.paths import find_file
+from sketchkit.core.errors import SketchError
+from sketchkit.draw.resources import Pixels
+from sketchkit.draw.vertex import U8
+
+if TYPE_CHECKING:
+    from PIL import ImageFont
+
+FONT_FILES = (".ttf", ".otf", ".ttc")
+LARGEST_MASK = 400.0  # px; larger text is a mask of this size, enlarged
+MOST_LINES = 4096  # lines whose layout is kept, for each face and size
+WITHOUT_WIDTH = frozenset("\t\r\n\u2028\u2029")  # Java gives them neither width nor shape
+
+
+class Quad(NamedTuple):
+    """A letter of a line.
+
+    Attributes
+    ----------
+    pixels : Pixels
+        The atlas that it lies in.
+    left, top, right, bottom : float, pixels
+        From the line's origin: its left end, on the baseline.
+    u1, v1, u2, v2 : float
+        The same corners in the atlas, 0..1.
+    """
+
+    pixels: Pixels
+    left: float
+    top: float
+    right: float
+    bottom: float
+    u1: float
+    v1: float
+    u2: float
+    v2: float
+
+
+class Line(NamedTuple):
+    """Text laid out: its width in pixels, its letters, and the atlas when they were laid out."""
+
+    width: float
+    quads: tuple[Quad, ...]
+    pixels: Pixels
+
+
+class Shape(NamedTuple):
+    """A letter's mask, (h, w) uint8, and where its top left corner is from the pen, y down."""
+
+    mask: U8
+    left: int
+    top: int
+
+
+class Face:
+    """A face at one size, in pixels."""
+
+    def __init__(self, path: str, size: float) -> None:
+        self.path = path
+        self.size = size
+        self._font = _open(path, size)
+        self._mask_size = min(size, LARGEST_MASK)
+        self._scale = size / self._mask_size
+        self._advances: dict[str, float] = {}
+        self._shapes: dict[str, Shape] = {}
+        self._lines: dict[str, Line] = {}
+
+    def width(self, text: str) -> float:
+        """Return how wide a line of text is: the sum of whole pixels, without kerning."""
+        return sum(map(self.advance, text), 0.0)
+
+    def advance(self, character: str) -> float:
+        """Return how far the pen moves for a character."""
+        width = self._advances.get(character)
+        if width is None:
+            is_blank = character in WITHOUT_WIDTH
+            width = 0.0 if is_blank else float(round(self._font.getlength(character)))
+            self._advances[character] = width
+        return width
+
+    @cached_property
+    def ascent(self) -> float:
+        """Pixels above the baseline: of a "d", as Processing measures it."""
+        return -self._shape("d").top * self._scale
+
+    @cached_property
+    def descent(self) -> float:
+        """Pixels below the baseline: of a "p", as Processing measures it."""
+        shape = self._shape("p")
+        return (shape.top + shape.mask.shape[0]) * self._scale
+
+    def line(self, text: str) -> Line:
+        """Return text laid out; the letters are in the atlas afterwards."""
+        line = self._lines.get(text)
+        if line is None or line.pixels is not ATLAS.pixels:
+            line = self._lay_out(text)
+            if line.quads and line.quads[0].pixels is not line.pixels:  # the atlas grew meanwhile
+                line = self._lay_out(text)
+            if len(self._lines) >= MOST_LINES:
+                self._lines.clear()
+            self._lines[text] = line
+        return line
+
+    def _lay_out(self, text: str) -> Line:
+        quads = []
+        pen = 0.0
+        for character in text:
+            if self._shape(character).mask.size:
+                quads.append(self._quad(character, pen))
+            pen += self.advance(character)
+        return Line(pen, tuple(quads), ATLAS.pixels)
+
+    def _quad(self, character: str, pen: float) -> Quad:
+        mask, left, top = self._shape(character)
+        column, row = ATLAS.place((self.path, self._mask_size, character), lambda: mask)
+        pixels, scale = ATLAS.pixels, self._scale
+        height, width = mask.shape
+        return Quad(
+            pixels,
+            pen + left * scale,
+            top * scale,
+            pen + (left + width) * scale,
+            (top + height) * scale,
+            column / pixels.width,
+            row / pixels.height,
+            (column + width) / pixels.width,
+            (row + height) / pixels.height,
+        )
+
+    def _shape(self, character: str) -> Shape:
+        shape = self._shapes.get(character)
+        if shape is None:
+            shape = self._shapes[character] = self._draw(character)
+        return shape
+
+    def _draw(self, character: str) -> Shape:
+        if character in WITHOUT_WIDTH:
+            return Shape(np.zeros((0, 0), np.uint8), 0, 0)
+        font = self._font if self._mask_size == self.size else _open(self.path, self._mask_size)
+        drawn, (left, top) = font.getmask2(character, mode="L", anchor="ls")
+        width, height = drawn.size
+        mask = np.frombuffer(bytes(drawn), np.uint8).reshape(height, width)
+        return Shape(mask[:, :MOST_COLUMNS], left, top)
+
+
+ATLAS = GlyphAtlas()  # one for all faces, sizes and canvases: text is drawn in one go
+
+
+@lru_cache(maxsize=256)
+def face(path: str, size: float) -> Face:
+    """Return a face at a size; the same one for the same file and size. "" is the default face."""
+    return Face(path, size)
+
+
+def find_face(caller: str, filename: str) -> str:
+    """Return the path of a font file that a sketch names.
+
+    Raises
+    ------
+    SketchError
+        If there is no such file, or it is no font.
+    """
+    path = str(find_file(caller, filename))
+    _open(path, 12)
+    return path
+
+
+@lru_cache(maxsize=256)
+def _open(path: str, size: float) -> ImageFont.FreeTypeFont:
+    from PIL import ImageFont  # 40 ms to import, and most sketches write nothing
+
+    try:
+        # The basic layout puts letter after letter, as Processing does.
+        return ImageFont.truetype(path or _default(), size, layout_engine=ImageFont.Layout.BASIC)
+    except OSError as problem:
+        raise SketchError(
+            f"The font {path} cannot be read: {problem}.", hint="Fonts are TTF or OTF files."
+        ) from None
+
+
+@lru_cache(maxsize=1)
+def _default() -> str:
+    """Return the file of the default face: Processing's own is a copy of it."""
+    return str(Path(str(files("font_source_sans_pro"))) / "files" / "SourceSansPro-Regular.ttf")

@@ -1,0 +1,111 @@
+"""`sketchkit render`: the pictures of some frames, without a window, the same at every run."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from sketchkit.assets.output import picture_bytes, write_file
+from sketchkit.cli import say
+from sketchkit.cli.frames import frames as frames_option
+from sketchkit.cli.render_record import Record
+from sketchkit.cli.sketch_file import sketch_file
+from sketchkit.runtime.backends import RENDERERS, RendererError, open_backend
+from sketchkit.runtime.headless import Launch, render
+from sketchkit.runtime.report import StoppedError
+
+WRONG_CALL = 2  # exit status
+
+
+@click.command(name="render")
+@click.argument("sketches", metavar="SKETCH...", nargs=-1, required=True, type=sketch_file)
+@click.option(
+    "--frames",
+    "numbers",
+    type=frames_option,
+    default="1",
+    show_default=True,
+    metavar="LIST",
+    help="Values of frameCount: 3, 1,30, 1-60 or 1-60:5. 0 is the picture after setup().",
+)
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    default=Path("out"),
+    show_default=True,
+    help="Where frame-0001.png and so on go; of several sketches, each to a folder of its own.",
+)
+@click.option(
+    "--renderer",
+    type=click.Choice(RENDERERS),
+    help="What draws. Without it OpenGL, and the CPU renderer where there is no OpenGL.",
+)
+@click.option("--seed", default=0, show_default=True, help="Where random() and noise() begin.")
+@click.option(
+    "--json",
+    "record_path",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Write a report: versions, renderer, and for each frame draw calls, vertices, time.",
+)
+@click.option("--traceback", is_flag=True, help="Show all that Python says about a mistake.")
+def command(  # noqa: PLR0913 # click hands over each option
+    sketches: Sequence[Path],
+    numbers: tuple[int, ...],
+    out: Path,
+    renderer: str | None,
+    seed: int,
+    record_path: Path | None,
+    traceback: bool,
+) -> None:
+    """Write the pictures of some frames of each SKETCH, a Python file or its folder.
+
+    No window and no display are needed. Time, date, mouse and random numbers are fixed, so that
+    two renders are equal to the last bit.
+    """
+    folders = _folders(sketches, out)
+    try:
+        choice = open_backend(renderer)
+    except RendererError as reason:
+        say.note(f"The {renderer} renderer does not work here: {reason}.")
+        sys.exit(WRONG_CALL)
+    if choice.remark:
+        say.note(choice.remark)
+    record = Record(choice.backend, seed)
+    for sketch, folder in folders.items():
+        try:
+            _render_one(sketch, folder, numbers, record)
+        except StoppedError as stopped:
+            say.mistake(stopped.report, with_traceback=traceback)
+            record.add_mistake(sketch, stopped.report)
+    if record_path:
+        record.write(record_path)
+    sys.exit(1 if record.mistakes else 0)
+
+
+def _render_one(sketch: Path, folder: Path, numbers: Sequence[int], record: Record) -> None:
+    def tell(path: Path, line: int, text: str) -> None:
+        say.remark(path, line, text)
+        record.add_remark(path, line, text)
+
+    for frame in render(Launch(sketch, tell, record.seed), numbers, record.backend):
+        file = folder / f"frame-{frame.number:04}.png"
+        write_file(file, picture_bytes(frame.pixels, file.suffix))
+        record.add_frame(sketch, frame, file)
+
+
+def _folders(sketches: Sequence[Path], out: Path) -> dict[Path, Path]:
+    """Return where the pictures of each sketch go."""
+    if len(sketches) == 1:
+        return {sketches[0]: out}
+    names = Counter(sketch.stem for sketch in sketches)
+    twins = [name for name, count in names.items() if count > 1]
+    if twins:
+        raise click.UsageError(
+            f"Two sketches are called {twins[0]}: their pictures would go to the same folder. "
+            "Render them one after the other, with another --out."
+        )
+    return {sketch: out / sketch.stem for sketch in sketches}

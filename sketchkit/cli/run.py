@@ -1,0 +1,45 @@
+"""`sketchkit run`: a sketch in a window."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from sketchkit.cli import say
+from sketchkit.cli.sketch_file import sketch_file
+from sketchkit.runtime.player import Player
+from sketchkit.runtime.window import Window, WindowError
+
+NO_WINDOW = 2  # exit status
+
+
+@click.command(name="run", context_settings={"ignore_unknown_options": True})
+@click.argument("sketch", type=sketch_file)
+@click.argument("args", nargs=-1, type=click.UNPROCESSED)
+@click.option("--traceback", is_flag=True, help="Show all that Python says about a mistake.")
+def command(sketch: Path, args: tuple[str, ...], traceback: bool) -> None:
+    """Show SKETCH, a Python file or its folder, in a window.
+
+    Esc or closing the window ends it. Save the file while it runs, and it starts again. What
+    follows SKETCH is the list that the sketch sees as args.
+    """
+    try:
+        window = Window(sketch.stem)
+    except WindowError as reason:
+        say.note(
+            f"No window can be opened here ({reason}); "
+            f"sketchkit render {sketch} draws the sketch without one."
+        )
+        sys.exit(NO_WINDOW)
+    with window:
+        player = Player(
+            sketch,
+            window,
+            args=args,
+            tell=say.remark,
+            say=lambda report: say.mistake(report, with_traceback=traceback),
+        )
+        is_well = player.play()
+    sys.exit(0 if is_well else 1)

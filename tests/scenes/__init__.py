@@ -1,0 +1,21 @@
+"""Scenes by topic; `SCENES` has them all."""
+
+from tests.scenes import (
+    blending,
+    cameras,
+    colors,
+    curves,
+    hints,
+    images,
+    lights,
+    shapes2d,
+    solids,
+    strokes,
+    text,
+    textures,
+    transforms,
+    vertices,
+)
+from tests.scenes.registry import SCENES, Scene
+
+__all__ = ["SCENES", "Scene"]
