@@ -10,6 +10,8 @@ def setup():
     size(640, 420, P2D)
     background(252, 250, 244)
     textSize(14)
+    fill(190)
+    text("Press the mouse and draw.", 24, 40)
 
 
 def draw():

@@ -8,7 +8,7 @@ particles = []
 class Particle:
     def __init__(self, place):
         self.place = place
-        self.velocity = PVector(random(-1.3, 1.3), random(-7.5, -5))
+        self.velocity = PVector(random(-2.2, 2.2), random(-7.5, -5))
         self.life = 1.0
         self.colour = lerpColor(color(255, 90, 40), color(255, 210, 80), random(1))
 
@@ -43,7 +43,7 @@ def draw():
 
 
 def step():
-    for i in range(3):
+    for i in range(4):
         particles.append(Particle(PVector(width / 2 + random(-6, 6), height - 45)))
     for particle in particles:
         particle.update()

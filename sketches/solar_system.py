@@ -1,13 +1,13 @@
-"""Solar system: pushMatrix() remembers the sun while a planet is drawn, and the planet for its moon."""
+"""Solar system: pushMatrix() remembers the sun for each planet, and the planet for its moons."""
 # check: compare frames=1,30
 
-# distance, radius, days for one turn around the sun, colour, moons
+# distance, radius, days for one turn around the sun, where it begins, colour, moons
 planets = [
-    (75, 5, 88, "#B9A78F", 0),
-    (110, 9, 225, "#E0B868", 0),
-    (155, 10, 365, "#4C8FD8", 1),
-    (200, 7, 687, "#C8553D", 2),
-    (290, 24, 4333, "#D8A878", 4),
+    (78, 7, 88, 0.4, "#B9A78F", 0),
+    (116, 12, 225, 2.6, "#E0B868", 0),
+    (164, 14, 365, 4.9, "#4C8FD8", 1),
+    (215, 10, 687, 5.9, "#C8553D", 2),
+    (285, 28, 4333, 0.9, "#D8A878", 4),
 ]
 stars = []
 
@@ -22,19 +22,19 @@ def setup():
 def draw():
     background(10, 10, 26)
     drawStars()
-    translate(width / 2, height / 2, -80)
+    translate(width / 2, height / 2, -60)
     rotateX(radians(-28))
     drawOrbits()
     noStroke()
     fill(255, 214, 90)
-    sphere(38)
+    sphere(42)
 
     # The sun shines from where it is, on all that is drawn after this.
     ambientLight(45, 45, 60)
     pointLight(255, 246, 225, 0, 0, 0)
-    for distance, radius, year, colour, moons in planets:
+    for distance, radius, year, start, colour, moons in planets:
         pushMatrix()
-        rotateY(TWO_PI * (frameCount * 2 + 120) / year + distance)
+        rotateY(start + TWO_PI * frameCount / year)
         translate(distance, 0, 0)
         fill(colour)
         sphere(radius)
@@ -47,8 +47,8 @@ def drawMoons(count, radius):
     for i in range(count):
         pushMatrix()
         rotateY(frameCount * 0.08 + i * TWO_PI / count)
-        translate(radius + 7, 0, 0)
-        sphere(2.5)
+        translate(radius + 9, 0, 0)
+        sphere(3)
         popMatrix()
 
 

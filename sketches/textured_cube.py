@@ -42,7 +42,7 @@ def draw():
     translate(width / 2, height / 2)
     rotateX(radians(-25))
     rotateY(frameCount * 0.02 + 0.5)
-    scale(110)
+    scale(95)
     beginShape(QUADS)
     texture(tile)
     for out, right, down in faces:

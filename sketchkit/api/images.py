@@ -14,7 +14,6 @@ from sketchkit.core.constants import CENTER, CORNERS
 from sketchkit.core.errors import SketchError, shown
 from sketchkit.core.float32 import f32
 from sketchkit.core.matrix import IDENTITY, ortho
-from sketchkit.core.style import NO_COLOR
 from sketchkit.draw.pipeline import Clip
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row8
 from sketchkit.draw.resources import Pixels
@@ -226,7 +225,7 @@ class Images(CanvasParts):
         if len(color) == 1 and hasattr(color[0], "_texture"):
             self._background_image(pixels_of("background", color[0]))
         else:
-            self._clear(pack(self._color_mode, *color, name="background"))
+            self._pack_whole(Kind.CLEAR, pack(self._color_mode, *color, name="background"))
 
     def clear(self) -> None:
         """Make the whole canvas transparent; of use on one of `createGraphics()`.
@@ -243,11 +242,7 @@ class Images(CanvasParts):
         --------
         >>> clear()
         """
-        self._clear(0)
-
-    def _clear(self, color: int) -> None:
-        self._pack_whole(Kind.CLEAR, color)
-        self._was_cleared = True
+        self._pack_whole(Kind.CLEAR, 0)
 
     def _background_image(self, pixels: Pixels) -> None:
         """Clear, and draw an image without matrix, depth, light and tint; clip and blend hold."""
@@ -258,7 +253,7 @@ class Images(CanvasParts):
                 got=f"{pixels.width} x {pixels.height} for a canvas of {width} x {height}",
                 hint=f"Write img.resize({width}, {height}) after loading it.",
             )
-        self._clear(EMPTY)
+        self._pack_whole(Kind.CLEAR, EMPTY)
         saved = self._stage, self._modelview
         flat = ortho(0.0, width, -height, 0.0, -1.0, 1.0)
         self._restage(

@@ -1,33 +1,147 @@
-"""Text on a canvas. Letters are images of one atlas, tinted with the fill colour."""
+"""Writing text on a canvas. Letters are images of one atlas, tinted with the fill colour."""
 
 from __future__ import annotations
 
 import math
-import operator
-from dataclasses import replace
-from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
 
 from sketchkit.api.images import IMAGE, Images
-from sketchkit.api.pfont import PFont, design_size
-from sketchkit.api.style import check_choice
-from sketchkit.assets.fonts import FONT_FILES, Face, face, find_face
-from sketchkit.core import constants as c
-from sketchkit.core.errors import SketchError, shown
-from sketchkit.core.matrix import translated
-from sketchkit.core.notices import warn_once
-from sketchkit.core.style import Typography
-from sketchkit.data.strings import nfs
+from sketchkit.api.typesetting import Typesetting, as_text
+from sketchkit.assets.fonts import Line
+from sketchkit.core.constants import BOTTOM, CENTER, LEFT, RIGHT, TOP
+from sketchkit.core.matrix import translate
 from sketchkit.data.wrapping import wrap
 from sketchkit.draw.pipeline import Blend
 from sketchkit.draw.recorder import ROW, pack_row8
 from sketchkit.geometry.rects import rect_edges
 
 TEXT_USAGE = "x, y [, z] | x, y, width, height"
-LEADING = 1.275  # distance of lines, in heights of a letter from ascent to descent
-ALIGNMENTS = {c.LEFT: "LEFT", c.CENTER: "CENTER", c.RIGHT: "RIGHT"}
-VERTICAL = {c.TOP: "TOP", c.CENTER: "CENTER", c.BASELINE: "BASELINE", c.BOTTOM: "BOTTOM"}
-TEXT_MODES = {c.MODEL: "MODEL", c.SHAPE: "SHAPE"}
 
 
-class Text(Images):
-    """Text: drawing and measuring it, and how it is set."""
+class Block(NamedTuple):
+    """Lines of text, where they are aligned at, and the baseline of the first."""
+
+    lines: list[str]
+    x: float
+    y: float
+
+
+class Text(Typesetting, Images):
+    """Writing text."""
+
+    def text(self, what: object, x: float, y: float, *more: float) -> None:
+        """Write text in the fill colour.
+
+        Parameters
+        ----------
+        what : str or number
+            A newline begins another line. A float is shown with three decimals.
+        x, y : float, pixels
+            Where the text begins on its baseline, unless `textAlign()` says otherwise.
+        *more : 1 or 2 float, optional
+            One number is z. Two make a box of the four, which `rectMode()` gives their meaning:
+            text is wrapped in it, and lines that do not fit are left out.
+
+        Raises
+        ------
+        SketchError
+            If there are not 2, 3 or 4 numbers.
+
+        See Also
+        --------
+        textSize, textAlign, textWidth, textFont
+
+        Notes
+        -----
+        Source: Processing's reference, text().
+
+        Examples
+        --------
+        >>> fill(0)
+        >>> text("word", 10, 30)
+        >>> text("a long text that is wrapped", 10, 40, 80, 50)
+        """
+        try:
+            x, y, *numbers = (number + 0.0 for number in (x, y, *more))
+        except TypeError:
+            self._refuse("text", (x, y, *more), TEXT_USAGE)
+        written = as_text(what)
+        if not numbers:
+            self._write(self._lines_at(written, x, y))
+        elif len(numbers) == 1:
+            self._write(self._lines_at(written, x, y), numbers[0])
+        elif len(numbers) == 2:
+            self._write(self._lines_in_box(written, x, y, *numbers))
+        else:
+            self._refuse("text", (x, y, *more), TEXT_USAGE)
+
+    def _lines_at(self, written: str, x: float, y: float) -> Block:
+        """Return the lines of a text, aligned at a point."""
+        lines = written.split("\n")
+        height = (len(lines) - 1) * self._typeset().leading
+        align = self._typography.align_y
+        if align == CENTER:
+            y += (self.textAscent() - height) / 2
+        elif align == TOP:
+            y += self.textAscent()
+        elif align == BOTTOM:
+            y -= self.textDescent() + height
+        return Block(lines, x, y)
+
+    def _lines_in_box(self, written: str, a: float, b: float, c: float, d: float) -> Block:
+        """Return the lines of a text that fit into a box, aligned in it."""
+        typography = self._typeset()
+        box = rect_edges(self._style.rect_mode, np.array([[a, b, c, d]], np.float32))
+        left, top, right, bottom = (float(edge[0]) for edge in box)
+        ascent, descent, leading = self.textAscent(), self.textDescent(), typography.leading
+        lines = wrap(written, right - left, self._set_face().width)
+        height = bottom - top
+        del lines[max(0, 1 + math.floor((height - ascent - descent) / leading)) :]
+        x = {LEFT: left, CENTER: left + (right - left) / 2, RIGHT: right}[typography.align_x]
+        below_first = leading * (len(lines) - 1)
+        y = top + ascent
+        if typography.align_y == CENTER:
+            y += (height - ascent - below_first) / 2
+        elif typography.align_y == BOTTOM:
+            y = bottom - descent - below_first
+        return Block(lines, x, y)
+
+    def _write(self, block: Block, z: float = 0.0) -> None:
+        """Record lines of text, always with BLEND, as Processing does."""
+        color = self._fill if self._fill >= 0 else ~self._fill
+        typography, saved, modelview = self._typeset(), self._stage, self._modelview
+        if saved.blend is not Blend.BLEND:
+            self._restage(blend=Blend.BLEND)
+        if z and self._is_3d:
+            self._modelview, self._state = translate(modelview, 0.0, 0.0, z), -1
+        set_face = self._set_face()
+        part = {LEFT: 0.0, CENTER: 0.5, RIGHT: 1.0}[typography.align_x]
+        y = block.y
+        for written in block.lines:
+            line = set_face.line(written)
+            self._pack_line(line, block.x - part * line.width, y, color)
+            y += typography.leading
+        if self._stage is not saved or self._modelview is not modelview:
+            self._stage, self._modelview, self._state = saved, modelview, -1
+
+    def _pack_line(self, line: Line, x: float, y: float, color: int) -> None:
+        """Record a line of text, one row for each letter."""
+        recorder, textures = self._recorder, self._recorder.textures
+        state = self._state if self._state >= 0 else self._note_state()
+        rows, end = recorder.rows, recorder.row_end
+        while end + ROW * len(line.quads) > len(rows):
+            rows.extend(bytes(len(rows)))
+        link = len(textures) - 1
+        last = textures[-1] if textures else None
+        for pixels, left, top, right, bottom, u1, v1, u2, v2 in line.quads:
+            if pixels is not last:
+                textures.append(pixels)
+                last, link = pixels, link + 1
+            pack_row8(
+                *(rows, end, IMAGE, state, color, color, 0.0, link),
+                *(x + left, y + top, x + right, y + bottom, u1, v1, u2, v2),
+            )
+            end += ROW
+        recorder.row_end = end

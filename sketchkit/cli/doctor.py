@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import ctypes.util
-import importlib.util
 import platform
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, version
 from typing import NamedTuple
 
@@ -15,6 +13,8 @@ from rich.console import Console
 from rich.table import Table
 
 from sketchkit import __version__
+from sketchkit.assets.fonts import face
+from sketchkit.core.errors import SketchError
 from sketchkit.draw.backend import Backend
 from sketchkit.runtime.backends import RendererError, open_backend
 from sketchkit.runtime.window import Window, WindowError
@@ -29,17 +29,7 @@ class Finding(NamedTuple):
     advice: str = ""
 
 
-class Extra(NamedTuple):
-    """A package that sketchkit can do without."""
-
-    module: str
-    extra: str
-    use: str
-
-
-PACKAGES = ("numpy", "pillow", "moderngl", "glfw", "click", "rich")
-EXTRAS: tuple[Extra, ...] = ()
-"""Packages that are looked for; each comes with the issue that first uses it."""
+PACKAGES = ("numpy", "pillow", "moderngl", "glfw", "click", "rich", "font-source-sans-pro")
 
 GL_ADVICE = "Linux: apt install libegl1 libgl1-mesa-dri. Else: a newer graphics driver."
 OSMESA_ADVICE = "Only needed where EGL is missing. Linux: apt install libosmesa6."
@@ -86,3 +76,29 @@ def _renderer(what: str, name: str, advice: str) -> Finding:
     seen = _described(backend)
     backend.close()
     return Finding(what, True, seen)
+
+
+def _described(backend: Backend) -> str:
+    return ", ".join(backend.describe().values())
+
+
+def _osmesa() -> Finding:
+    library = ctypes.util.find_library("OSMesa")
+    advice = "" if library else OSMESA_ADVICE
+    return Finding("OSMesa", bool(library), library or "not installed", advice)
+
+
+def _window() -> Finding:
+    try:
+        with Window("sketchkit doctor") as window:
+            return Finding("a window", True, _described(window.backend))
+    except WindowError as reason:
+        return Finding("a window", False, str(reason), WINDOW_ADVICE)
+
+
+def _font() -> Finding:
+    try:
+        width = face("", 12).width("Hello")
+    except (SketchError, ModuleNotFoundError) as reason:
+        return Finding("default font", False, str(reason), "pip install font-source-sans-pro")
+    return Finding("default font", True, f"Source Sans Pro ('Hello' is {width:g} wide)")

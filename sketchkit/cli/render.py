@@ -99,6 +99,7 @@ def _render_one(sketch: Path, folder: Path, numbers: Sequence[int], record: Reco
 
 def _folders(sketches: Sequence[Path], out: Path) -> dict[Path, Path]:
     """Return where the pictures of each sketch go."""
+    out = out.absolute()  # a sketch is run in its own folder
     if len(sketches) == 1:
         return {sketches[0]: out}
     names = Counter(sketch.stem for sketch in sketches)

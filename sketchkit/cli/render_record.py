@@ -72,7 +72,7 @@ class Record:
         """Write all of it as JSON."""
         content = {
             "renderer": self.backend.name,
-            "gl": self.backend.describe(),
+            "driver": self.backend.describe(),
             "versions": _versions(),
             "seed": self.seed,
             "date": RENDER_DATE.isoformat(),

@@ -162,6 +162,7 @@ def _expand_faces(rows: Rows, corners: Corners, at: I64, kind: int, out: Expansi
         fills.normals = None if normals is None else normals[index]
         fills.snap = None if snap is None else snap[mine]
         if wants_texture:
+            fills.ambient = rows.fills[owners[mine]][:, None]  # the colours are the tint
             fills.uvs = corners.uvs[index]
             textures = [shape.texture for shape in shapes]
             fills.textures = [textures[i] for i in found.shapes[mine]]
@@ -206,7 +207,6 @@ def _fills(rows: Rows, corners: Corners, owners: I64, index: I64, triangles: I64
         places[..., 2],
         triangles,
         corners.fills[index],
-        ambient=rows.fills[owners][:, None],
         attributes=corners.attributes[index],
     )
 
@@ -264,6 +264,7 @@ def _fill_polygon(rows: Rows, corners: Corners, row: int, shape: ShapeRun, out: 
         fills.normals = normals[found.triangles].astype(np.float32)
     if shape.texture is not None:
         fills.textures = [shape.texture] * len(found.triangles)
+        fills.ambient = np.full((1, 1), rows.fills[row])
         uvs = interpolate(found, corners.uvs[run].astype(np.float64))
         fills.uvs = uvs[found.triangles].astype(np.float32)
     out.fills.append(fills)

@@ -18,11 +18,12 @@ from sketchkit.backends.cpu.frames import Frame, Surface, window_of
 from sketchkit.backends.cpu.layers import draw_in_layers
 from sketchkit.backends.cpu.raster import rasterize
 from sketchkit.backends.cpu.shading import Shading
+from sketchkit.backends.cpu.textures import Texture
 from sketchkit.backends.cpu.triangles import set_up
-from sketchkit.backends.cpu.vertices import assemble
+from sketchkit.backends.cpu.vertices import TEXTURED, assemble
 from sketchkit.backends.cpu.visibility import draw_visible
 from sketchkit.draw.commands import Clear, Draw, DrawList, Settle
-from sketchkit.draw.pipeline import Blend
+from sketchkit.draw.pipeline import Blend, Pipeline
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.vertex import U8, VertexBlock
 
@@ -37,6 +38,7 @@ class CpuBackend:
 
     def __init__(self) -> None:
         self._frames: weakref.WeakKeyDictionary[Target, Frame] = weakref.WeakKeyDictionary()
+        self._textures: weakref.WeakKeyDictionary[Pixels, Texture] = weakref.WeakKeyDictionary()
 
     def describe(self) -> dict[str, str]:
         """Return what draws."""
@@ -62,10 +64,13 @@ class CpuBackend:
         """Let go of what is kept for a resource."""
         if isinstance(resource, Target):
             self._frames.pop(resource, None)
+        else:
+            self._textures.pop(resource, None)
 
     def close(self) -> None:
         """Let go of everything."""
         self._frames.clear()
+        self._textures.clear()
 
     def _frame(self, target: Target) -> Frame:
         """Return a target's frame, made anew if its size has changed."""
@@ -73,6 +78,16 @@ class CpuBackend:
         if frame is None or frame.version != target.version:
             frame = self._frames[target] = Frame(target)
         return frame
+
+    def _texture(self, pipeline: Pipeline) -> Texture | None:
+        """Return what a pipeline's program samples, made anew if the image has changed."""
+        pixels = pipeline.texture
+        if pixels is None or pipeline.program not in TEXTURED:
+            return None
+        texture = self._textures.get(pixels)
+        if texture is None or texture.version != pixels.version:
+            texture = self._textures[pixels] = Texture(pixels)
+        return texture
 
     def _draw(self, command: Draw, block: VertexBlock) -> None:
         """Take a draw through the stages."""
@@ -83,7 +98,7 @@ class CpuBackend:
         reached = triangles.within(window.widened())
         if reached.is_empty:
             return
-        shading = Shading(triangles, pipeline, frame.grid.centre)
+        shading = Shading(triangles, pipeline, frame.grid.centre, self._texture(pipeline))
         for part, is_opaque in _parts(shading.is_opaque, pipeline.blend):
             spans = rasterize(triangles, part, window, frame.grid)
             draw = draw_visible if is_opaque else draw_in_layers

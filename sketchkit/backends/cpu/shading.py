@@ -12,6 +12,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from sketchkit.backends.cpu.lighting import unit_colors
+from sketchkit.backends.cpu.textures import Texture
 from sketchkit.backends.cpu.triangles import F64, I64, Planes, Triangles
 from sketchkit.backends.cpu.vertices import LIT
 from sketchkit.draw.pipeline import Pipeline
@@ -30,20 +32,45 @@ class Shading:
         Which triangles hide what is behind them, if blended by their alpha.
     """
 
-    def __init__(self, triangles: Triangles, pipeline: Pipeline, centre: float) -> None:
+    def __init__(
+        self, triangles: Triangles, pipeline: Pipeline, centre: float, texture: Texture | None
+    ) -> None:
         self.triangles = triangles
         self._centre = centre
+        self._texture = texture
+        self._wrap = pipeline.wrap
         self._corners = _corner_colors(triangles, pipeline)
         self._is_flat = (self._corners == self._corners[0]).all(axis=(0, 2))
         self._flat_colors = quantize(self._corners[0])
         self.is_opaque = (quantize(self._corners[..., 3]) == OPAQUE).all(axis=0)
+        if texture is not None:
+            self.is_opaque &= texture.is_opaque
 
     def colors(self, triangle: I64, column: I64, row: I64) -> U8:
         """Return the colours of triangles at pixels of the frame, (k, 4)."""
-        if self._is_flat.all():
+        if self._texture is None and self._is_flat.all():
             return self._flat_colors.view(np.uint32)[triangle].view(np.uint8)
         x, y = column + self._centre, row + self._centre
-        return quantize(self._interpolate(self._color_planes, triangle, x, y))
+        colors = self._interpolate(self._color_planes, triangle, x, y)
+        if self._texture is not None:
+            colors *= unit_colors(self._texels(self._texture, triangle, column, row))
+        return quantize(colors)
+
+    def _texels(self, texture: Texture, triangle: I64, column: I64, row: I64) -> U8:
+        """Return the colours of the texture, (k, 4).
+
+        How far the texture moves from one pixel to the next is looked up for blocks of 2x2 pixels
+        that begin at even ones: graphics hardware shades such blocks together.
+        """
+        x, y = column + self._centre, row + self._centre
+        block_x, block_y = (column & ~1) + self._centre, (row & ~1) + self._centre
+        uv = self._interpolate(self._uv_planes, triangle, x, y)
+        corner = self._interpolate(self._uv_planes, triangle, block_x, block_y)
+        size = np.array(texture.size, np.float32)
+        along_x = (self._interpolate(self._uv_planes, triangle, block_x + 1, block_y) - corner) * size
+        along_y = (self._interpolate(self._uv_planes, triangle, block_x, block_y + 1) - corner) * size
+        texels_squared = np.maximum((along_x**2).sum(axis=1), (along_y**2).sum(axis=1))
+        return texture.sample(uv, texels_squared, self._wrap)
 
     def _interpolate(self, planes: Planes, triangle: I64, x: F64, y: F64) -> F32:
         """Return values, of which planes have what is divided by w, at places in the frame."""
@@ -58,6 +85,11 @@ class Shading:
     @cached_property
     def _color_planes(self) -> Planes:
         return self.triangles.planes(self._corners * self.triangles.reciprocal_w[..., None])
+
+    @cached_property
+    def _uv_planes(self) -> Planes:
+        uvs = self.triangles.varyings[..., -2:]
+        return self.triangles.planes(uvs * self.triangles.reciprocal_w[..., None])
 
 
 def quantize(colors: F32) -> U8:
