@@ -204,6 +204,7 @@ class CanvasParts:
         recorder.make_room()
         pack_row0(recorder.rows, recorder.row_end, kind, state, color, NO_COLOR, 0.0, link)
         recorder.row_end += ROW
+        self._was_cleared |= kind is Kind.CLEAR
 
     def _again(self, call: Callable[..., None], args: Sequence[object], usage: str) -> None:
         """Repeat a call whose row did not go into the buffer, or say what is wrong with it."""

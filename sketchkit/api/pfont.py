@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sketchkit.assets.fonts import face
+from sketchkit.assets.fonts import design_size, face
 
 
 class PFont:
@@ -56,7 +56,7 @@ class PFont:
         --------
         >>> println(createFont("", 24).ascent())
         """
-        return face(self._path, self.getSize()).ascent / self.getSize()
+        return face(self._path, self.getSize(), 1.0).ascent
 
     def descent(self) -> float:
         """Return how far letters reach below the baseline, as a part of the size.
@@ -65,12 +65,7 @@ class PFont:
         --------
         >>> println(createFont("", 24).descent())
         """
-        return face(self._path, self.getSize()).descent / self.getSize()
+        return face(self._path, self.getSize(), 1.0).descent
 
     def __repr__(self) -> str:
         return f"<PFont {self.getName()}, {self._size:g}>"
-
-
-def design_size(size: float) -> int:
-    """Return the whole size at which a face is made for text of some size."""
-    return max(1, int(size + 0.5))

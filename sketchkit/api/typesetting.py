@@ -6,9 +6,9 @@ import math
 from dataclasses import replace
 
 from sketchkit.api._parts import CanvasParts
-from sketchkit.api.pfont import PFont, design_size
+from sketchkit.api.pfont import PFont
 from sketchkit.api.style import check_choice
-from sketchkit.assets.fonts import FONT_FILES, Face, face, find_face
+from sketchkit.assets.fonts import FONT_FILES, Face, design_size, face, find_face
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, shown
 from sketchkit.core.notices import warn_once
@@ -25,8 +25,8 @@ TEXT_MODES = {c.MODEL: "MODEL", c.SHAPE: "SHAPE"}
 class Typesetting(CanvasParts):
     """Size, face and alignment of text, and measuring it.
 
-    A face is made once, at the size in which it is first used; ascent and descent at other sizes
-    are in proportion to that one's whole pixels, as in Processing.
+    A face is made once, at the size in which it is first used; at other sizes its letters are
+    enlarged, and its ascent and descent in proportion, as in Processing.
     """
 
     def textSize(self, size: float) -> None:
@@ -83,7 +83,7 @@ class Typesetting(CanvasParts):
     def _set_face(self) -> Face:
         """Return the face that text is set in, at its size."""
         typography = self._typeset()
-        return face(typography.face, typography.size)
+        return face(typography.face, typography.design_size, typography.size)
 
     def textAlign(self, alignX: int, alignY: int = c.BASELINE) -> None:
         """Set which point of a text its x and y are.
@@ -165,9 +165,7 @@ class Typesetting(CanvasParts):
         >>> line(0, 60 - textAscent(), 100, 60 - textAscent())
         >>> text("dog", 10, 60)
         """
-        typography = self._typeset()
-        made_at = typography.design_size
-        return face(typography.face, made_at).ascent / made_at * typography.size
+        return self._set_face().ascent
 
     def textDescent(self) -> float:
         """Return how far letters reach below the baseline, in pixels.
@@ -178,9 +176,7 @@ class Typesetting(CanvasParts):
         >>> line(0, 60 + textDescent(), 100, 60 + textDescent())
         >>> text("dog", 10, 60)
         """
-        typography = self._typeset()
-        made_at = typography.design_size
-        return face(typography.face, made_at).descent / made_at * typography.size
+        return self._set_face().descent
 
     def textMode(self, mode: int) -> None:
         """Accept MODEL or SHAPE; text looks the same in both.

@@ -1,4 +1,4 @@
-"""Faces at a size: how wide text is, and where its letters lie.
+"""Faces: how wide text is, and where its letters lie.
 
 FreeType draws the letters, through Pillow, with the hints that the face has: so Java does, and the
 default face comes out as Processing's to the last bit.
@@ -16,6 +16,7 @@ import numpy as np
 from sketchkit.assets.glyph_atlas import MOST_COLUMNS, GlyphAtlas
 from sketchkit.assets.paths import find_file
 from sketchkit.core.errors import SketchError
+from sketchkit.core.float32 import f32
 from sketchkit.draw.resources import Pixels
 from sketchkit.draw.vertex import U8
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from PIL import ImageFont
 
 FONT_FILES = (".ttf", ".otf", ".ttc")
-LARGEST_MASK = 400.0  # px; larger text is a mask of this size, enlarged
+LARGEST = 512  # px; the shapes of larger text are made at this size, and enlarged
 MOST_LINES = 4096  # lines whose layout is kept, for each face and size
 WITHOUT_WIDTH = frozenset("\t\r\n\u2028\u2029")  # Java gives them neither width nor shape
 
@@ -69,16 +70,17 @@ class Shape(NamedTuple):
 
 
 class Face:
-    """A face at one size, in pixels."""
+    """A face whose letters were drawn at one size, `made_at`, and that is set in another.
 
-    def __init__(self, path: str, size: float) -> None:
-        self.path = path
-        self.size = size
-        self._font = _open(path, size)
-        self._mask_size = min(size, LARGEST_MASK)
-        self._scale = size / self._mask_size
+    Letters are enlarged, and not drawn anew, as in Processing: the widths are those of a face
+    that was made for the size.
+    """
+
+    def __init__(self, path: str, made_at: int, size: float) -> None:
+        self._path = path
+        self._made_at = made_at
+        self._size = size
         self._advances: dict[str, float] = {}
-        self._shapes: dict[str, Shape] = {}
         self._lines: dict[str, Line] = {}
 
     def width(self, text: str) -> float:
@@ -90,20 +92,21 @@ class Face:
         width = self._advances.get(character)
         if width is None:
             is_blank = character in WITHOUT_WIDTH
-            width = 0.0 if is_blank else float(round(self._font.getlength(character)))
+            font = _open(self._path, self._size)
+            width = 0.0 if is_blank else float(round(font.getlength(character)))
             self._advances[character] = width
         return width
 
     @cached_property
     def ascent(self) -> float:
         """Pixels above the baseline: of a "d", as Processing measures it."""
-        return -self._shape("d").top * self._scale
+        return self._scaled(-self._shape("d").top)
 
     @cached_property
     def descent(self) -> float:
         """Pixels below the baseline: of a "p", as Processing measures it."""
         shape = self._shape("p")
-        return (shape.top + shape.mask.shape[0]) * self._scale
+        return self._scaled(shape.top + shape.mask.shape[0])
 
     def line(self, text: str) -> Line:
         """Return text laid out; the letters are in the atlas afterwards."""
@@ -128,44 +131,36 @@ class Face:
 
     def _quad(self, character: str, pen: float) -> Quad:
         mask, left, top = self._shape(character)
-        column, row = ATLAS.place((self.path, self._mask_size, character), lambda: mask)
-        pixels, scale = ATLAS.pixels, self._scale
+        column, row = ATLAS.place((self._path, self._made_at, character), mask)
+        pixels = ATLAS.pixels
         height, width = mask.shape
+        x, y = pen + self._scaled(left), self._scaled(top)
         return Quad(
-            pixels,
-            pen + left * scale,
-            top * scale,
-            pen + (left + width) * scale,
-            (top + height) * scale,
-            column / pixels.width,
-            row / pixels.height,
-            (column + width) / pixels.width,
-            (row + height) / pixels.height,
+            *(pixels, x, y, x + self._scaled(width), y + self._scaled(height)),
+            *(column / pixels.width, row / pixels.height),
+            *((column + width) / pixels.width, (row + height) / pixels.height),
         )
 
-    def _shape(self, character: str) -> Shape:
-        shape = self._shapes.get(character)
-        if shape is None:
-            shape = self._shapes[character] = self._draw(character)
-        return shape
+    def _scaled(self, length: int) -> float:
+        """Return pixels of the shapes at the size of the text, rounded as Processing does."""
+        return f32(f32(length / self._made_at) * self._size)
 
-    def _draw(self, character: str) -> Shape:
-        if character in WITHOUT_WIDTH:
-            return Shape(np.zeros((0, 0), np.uint8), 0, 0)
-        font = self._font if self._mask_size == self.size else _open(self.path, self._mask_size)
-        drawn, (left, top) = font.getmask2(character, mode="L", anchor="ls")
-        width, height = drawn.size
-        mask = np.frombuffer(bytes(drawn), np.uint8).reshape(height, width)
-        return Shape(mask[:, :MOST_COLUMNS], left, top)
+    def _shape(self, character: str) -> Shape:
+        return _draw(self._path, self._made_at, character)
 
 
 ATLAS = GlyphAtlas()  # one for all faces, sizes and canvases: text is drawn in one go
 
 
 @lru_cache(maxsize=256)
-def face(path: str, size: float) -> Face:
-    """Return a face at a size; the same one for the same file and size. "" is the default face."""
-    return Face(path, size)
+def face(path: str, made_at: int, size: float) -> Face:
+    """Return a face, drawn and set at sizes in pixels; "" is the path of the default face."""
+    return Face(path, made_at, size)
+
+
+def design_size(size: float) -> int:
+    """Return the whole size at which a face is made that is first used at some size."""
+    return min(max(1, int(size + 0.5)), LARGEST)
 
 
 def find_face(caller: str, filename: str) -> str:
@@ -179,6 +174,23 @@ def find_face(caller: str, filename: str) -> str:
     path = str(find_file(caller, filename))
     _open(path, 12)
     return path
+
+
+@lru_cache(maxsize=8192)
+def _draw(path: str, size: int, character: str) -> Shape:
+    """Return the shape of a letter."""
+    empty = np.zeros((0, 0), np.uint8)
+    if character in WITHOUT_WIDTH:
+        return Shape(empty, 0, 0)
+    drawn, (left, top) = _open(path, size).getmask2(character, mode="L", anchor="ls")
+    width, height = drawn.size
+    mask = np.frombuffer(bytes(drawn), np.uint8).reshape(height, width)
+    # Where its edge lies shows when it is enlarged: at the first pixel that is covered at all.
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    if not len(rows):
+        return Shape(empty, 0, 0)
+    tight = mask[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    return Shape(tight[:, :MOST_COLUMNS], left + int(columns[0]), top + int(rows[0]))
 
 
 @lru_cache(maxsize=256)

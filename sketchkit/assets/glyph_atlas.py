@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +15,7 @@ MOST_HEIGHT = 4096  # 16 MB; when it is full, an empty one takes its place
 GAP = 1  # clear pixels on each side, for letters between pixels take some of what is beside them
 MOST_COLUMNS = WIDTH - 2 * GAP  # of one mask
 
-Key = tuple[str, float, str]  # file, size, character
+Key = tuple[str, int, str]  # file, size, character
 
 
 class Place(NamedTuple):
@@ -48,12 +47,9 @@ class GlyphAtlas:
         self._next = Place(0, 0)
         self._row_height = 0
 
-    def place(self, key: Key, make_mask: Callable[[], U8]) -> Place:
-        """Return where a mask lies, (h, w) uint8; it is made if it is not there yet."""
-        found = self._places.get(key)
-        if found is None:
-            found = self._add(key, make_mask())
-        return found
+    def place(self, key: Key, mask: U8) -> Place:
+        """Return where a mask lies, (h, w) uint8; it is put in if it is not there yet."""
+        return self._places.get(key) or self._add(key, mask)
 
     def _add(self, key: Key, mask: U8) -> Place:
         height, width = (size + 2 * GAP for size in mask.shape)

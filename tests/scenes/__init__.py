@@ -18,4 +18,21 @@ from tests.scenes import (
 )
 from tests.scenes.registry import SCENES, Scene
 
-__all__ = ["SCENES", "Scene"]
+TOPICS = (
+    blending,
+    cameras,
+    colors,
+    curves,
+    hints,
+    images,
+    lights,
+    shapes2d,
+    solids,
+    strokes,
+    text,
+    textures,
+    transforms,
+    vertices,
+)
+
+__all__ = ["SCENES", "TOPICS", "Scene"]

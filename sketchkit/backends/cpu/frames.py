@@ -126,7 +126,7 @@ class Frame:
 
     def clear(self, color: tuple[int, int, int, int], *, depth: bool) -> None:
         """Give every sample a colour and, if `depth`, make everything farthest."""
-        self.colors[...] = color
+        self.colors.view(np.uint32)[...] = np.array(color, np.uint8).view(np.uint32)
         if depth:
             self._depths = None
 

@@ -81,19 +81,18 @@ def _layers(pixel: I64) -> Iterator[I64]:
         yield by_pixel[starts[: reaching[layer + 1]] + layer]
 
 
-def _draw_layer(
-    fragments: Fragments, colors: U8, triangles: Triangles, surface: Surface
-) -> None:
+def _draw_layer(fragments: Fragments, colors: U8, triangles: Triangles, surface: Surface) -> None:
     """Blend fragments of different pixels."""
     frame, pipeline = surface.frame, surface.pipeline
     is_shown = fragments.is_covered
     if pipeline.depth_test:
         is_shown = _test_depths(fragments, triangles, frame, is_written=pipeline.depth_write)
-    there = frame.colors[:, fragments.row, fragments.column]
-    blended = blend(pipeline.blend, colors, there)
-    frame.colors[:, fragments.row, fragments.column] = np.where(
-        is_shown[..., None], blended, there
-    )
+    # Four bytes at once: a colour is one number to whoever only moves it.
+    held = frame.colors.view(np.uint32).reshape(frame.samples, -1)
+    address = fragments.row * frame.width + fragments.column
+    there = held.take(address, axis=1)
+    blended = blend(pipeline.blend, colors, there[..., None].view(np.uint8))
+    held[:, address] = np.where(is_shown, blended.view(np.uint32)[..., 0], there)
 
 
 def _test_depths(
@@ -102,7 +101,7 @@ def _test_depths(
     """Return which samples are not behind what the frame holds, (samples, k)."""
     x, y = fragments.column, fragments.row
     z = [
-        triangles.depth_planes.at(fragments.triangle, x + place_x, y + place_y)[:, 0]
+        triangles.depth_planes.at(fragments.triangle, x + place_x, y + place_y)[0]
         for place_x, place_y in frame.grid.places
     ]
     depths = packed_depths(np.stack(z))

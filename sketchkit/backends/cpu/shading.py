@@ -40,9 +40,9 @@ class Shading:
         self._texture = texture
         self._wrap = pipeline.wrap
         self._corners = _corner_colors(triangles, pipeline)
-        self._is_flat = (self._corners == self._corners[0]).all(axis=(0, 2))
-        self._flat_colors = quantize(self._corners[0])
-        self.is_opaque = (quantize(self._corners[..., 3]) == OPAQUE).all(axis=0)
+        self._is_flat = (self._corners == self._corners[0]).all(axis=(0, 1))
+        self._flat_colors = as_rows(quantize(self._corners[0]))
+        self.is_opaque = (quantize(self._corners[:, 3]) == OPAQUE).all(axis=0)
         if texture is not None:
             self.is_opaque &= texture.is_opaque
 
@@ -54,42 +54,50 @@ class Shading:
         colors = self._interpolate(self._color_planes, triangle, x, y)
         if self._texture is not None:
             colors *= unit_colors(self._texels(self._texture, triangle, column, row))
-        return quantize(colors)
+        return as_rows(quantize(colors))
 
     def _texels(self, texture: Texture, triangle: I64, column: I64, row: I64) -> U8:
-        """Return the colours of the texture, (k, 4).
+        """Return the colours of the texture, (4, k).
 
         How far the texture moves from one pixel to the next is looked up for blocks of 2x2 pixels
         that begin at even ones: graphics hardware shades such blocks together.
         """
-        x, y = column + self._centre, row + self._centre
-        block_x, block_y = (column & ~1) + self._centre, (row & ~1) + self._centre
-        uv = self._interpolate(self._uv_planes, triangle, x, y)
-        corner = self._interpolate(self._uv_planes, triangle, block_x, block_y)
-        size = np.array(texture.size, np.float32)
-        along_x = (self._interpolate(self._uv_planes, triangle, block_x + 1, block_y) - corner) * size
-        along_y = (self._interpolate(self._uv_planes, triangle, block_x, block_y + 1) - corner) * size
-        texels_squared = np.maximum((along_x**2).sum(axis=1), (along_y**2).sum(axis=1))
-        return texture.sample(uv, texels_squared, self._wrap)
+
+        def uv_at(x: I64, y: I64) -> F32:
+            x_centre, y_centre = x + self._centre, y + self._centre
+            return self._interpolate(self._uv_planes, triangle, x_centre, y_centre)
+
+        left, top = column & ~1, row & ~1
+        corner = uv_at(left, top)
+        size = np.array(texture.size, np.float32)[:, None]
+        along_x, along_y = (
+            (uv_at(left + 1, top) - corner) * size,
+            (uv_at(left, top + 1) - corner) * size,
+        )
+        texels_squared = np.maximum(
+            along_x[0] * along_x[0] + along_x[1] * along_x[1],
+            along_y[0] * along_y[0] + along_y[1] * along_y[1],
+        )
+        return texture.sample(uv_at(column, row), texels_squared, self._wrap)
 
     def _interpolate(self, planes: Planes, triangle: I64, x: F64, y: F64) -> F32:
         """Return values, of which planes have what is divided by w, at places in the frame."""
-        w = 1 / self._reciprocal_w_planes.at(triangle, x, y)
-        values: F32 = planes.at(triangle, x, y) * w
+        values = planes.at(triangle, x, y)
+        values *= 1 / self._reciprocal_w_planes.at(triangle, x, y)
         return values
 
     @cached_property
     def _reciprocal_w_planes(self) -> Planes:
-        return self.triangles.planes(self.triangles.reciprocal_w[..., None])
+        return self.triangles.planes(self.triangles.reciprocal_w[:, None])
 
     @cached_property
     def _color_planes(self) -> Planes:
-        return self.triangles.planes(self._corners * self.triangles.reciprocal_w[..., None])
+        return self.triangles.planes(self._corners * self.triangles.reciprocal_w[:, None])
 
     @cached_property
     def _uv_planes(self) -> Planes:
-        uvs = self.triangles.varyings[..., -2:]
-        return self.triangles.planes(uvs * self.triangles.reciprocal_w[..., None])
+        uvs = self.triangles.varyings[:, -2:]
+        return self.triangles.planes(uvs * self.triangles.reciprocal_w[:, None])
 
 
 def quantize(colors: F32) -> U8:
@@ -98,13 +106,18 @@ def quantize(colors: F32) -> U8:
     return np.rint(bounded * np.float32(255)).astype(np.uint8)
 
 
+def as_rows(channels: U8) -> U8:
+    """Return colours, (4, k), a row each."""
+    return np.ascontiguousarray(channels.T)
+
+
 def _corner_colors(triangles: Triangles, pipeline: Pipeline) -> F32:
-    """Return the colours at the corners, (3, n, 4), of the side that is seen.
+    """Return the colours at the corners, (3, 4, n), of the side that is seen.
 
     Clockwise on the picture is the front; some targets have the picture upside down.
     """
-    front = triangles.varyings[..., :4]
+    front = triangles.varyings[:, :4]
     if pipeline.program not in LIT:
         return front
     is_front = triangles.is_clockwise == pipeline.target.top_row_first
-    return np.where(is_front[:, None], front, triangles.varyings[..., 4:8])
+    return np.where(is_front, front, triangles.varyings[:, 4:8])

@@ -38,7 +38,7 @@ class Texture:
         levels = [np.ascontiguousarray(pixels.data)]
         while pixels.mipmaps and max(levels[-1].shape[:2]) > 1:
             levels.append(_halve(levels[-1]))
-        self._texels = np.concatenate([level.reshape(-1, 4) for level in levels]).view(np.uint32)
+        self._texels = np.concatenate([level.reshape(-1, 4).T for level in levels], axis=1)
         self._heights = np.array([level.shape[0] for level in levels])
         self._widths = np.array([level.shape[1] for level in levels])
         sizes = self._heights * self._widths
@@ -50,7 +50,7 @@ class Texture:
         return int(self._widths[0]), int(self._heights[0])
 
     def sample(self, uv: F32, texels_squared: F32, wrap: Wrap) -> U8:
-        """Return colours, (k, 4), at places in the image, (k, 2), 0..1 from its top left.
+        """Return colours, (4, k), at places in the image, (2, k), 0..1 from its top left.
 
         `texels_squared`, (k,), is the square of how many of the image's texels a pixel spans.
         """
@@ -60,23 +60,23 @@ class Texture:
         colors = self._between_texels(uv, level, wrap)
         blurred = np.flatnonzero(weight)
         if len(blurred):
-            smaller = self._between_texels(uv[blurred], level[blurred] + 1, wrap)
-            colors[blurred] = _lerp(colors[blurred], smaller, weight[blurred, None])
+            smaller = self._between_texels(uv[:, blurred], level[blurred] + 1, wrap)
+            colors[:, blurred] = _lerp(colors[:, blurred], smaller, weight[blurred])
         return colors.astype(np.uint8)
 
     def _between_texels(self, uv: F32, level: I64, wrap: Wrap) -> I32:
-        """Return colours of one copy of the image for each place, (k, 4)."""
-        width, height = self._widths[level], self._heights[level]
-        left, right, weight_x = _neighbours(uv[:, 0], width, wrap)
-        above, below, weight_y = _neighbours(uv[:, 1], height, wrap)
-        rows = []
-        for row in (above, below):
-            start = self._starts[level] + row * width
-            rows.append(_lerp(self._texels_at(start + left), self._texels_at(start + right), weight_x))
-        return _lerp(*rows, weight_y)
+        """Return colours of one copy of the image for each place, (4, k)."""
+        start, width = self._starts[level], self._widths[level]
+        left, right, weight_x = _neighbours(uv[0], width, wrap)
+        above, below, weight_y = _neighbours(uv[1], self._heights[level], wrap)
+        upper, lower = (
+            _lerp(self._at(address + left), self._at(address + right), weight_x)
+            for address in (start + above * width, start + below * width)
+        )
+        return _lerp(upper, lower, weight_y)
 
-    def _texels_at(self, address: I64) -> I32:
-        return self._texels[address].view(np.uint8).astype(np.int32)
+    def _at(self, address: I64) -> I32:
+        return self._texels.take(address, axis=1).astype(np.int32)
 
 
 def _neighbours(places: F32, length: I64, wrap: Wrap) -> tuple[I64, I64, I32]:
@@ -84,14 +84,14 @@ def _neighbours(places: F32, length: I64, wrap: Wrap) -> tuple[I64, I64, I32]:
     fixed = np.rint(places * length.astype(np.float32) * np.float32(ONE)).astype(np.int64) - HALF
     before, weight = fixed // ONE, fixed % ONE
     if wrap is Wrap.REPEAT:
-        return before % length, (before + 1) % length, weight[:, None].astype(np.int32)
+        return before % length, (before + 1) % length, weight.astype(np.int32)
     last = length - 1
     before, after = np.clip(before, 0, last), np.clip(before + 1, 0, last)
-    return before, after, weight[:, None].astype(np.int32)
+    return before, after, weight.astype(np.int32)
 
 
 def _lerp(a: I32, b: I32, weight: I32) -> I32:
-    return a + ((b - a) * weight + HALF) // ONE
+    return a + ((b - a) * weight + HALF >> 8)
 
 
 def _half_log2(squares: F32) -> F32:
@@ -106,10 +106,10 @@ def _halve(level: U8) -> U8:
     height, width = level.shape[:2]
     half_width, half_height = max(width // 2, 1), max(height // 2, 1)
     u, v = _centres(half_width, half_height), _centres(half_height, half_width)
-    uv = np.stack(np.meshgrid(u, v), axis=-1).reshape(-1, 2)
+    uv = np.stack(np.meshgrid(u, v)).reshape(2, -1)
     alone = Texture(Pixels(level, mipmaps=False))
-    halved = alone.sample(uv, np.zeros(len(uv), np.float32), Wrap.CLAMP)
-    return halved.reshape(half_height, half_width, 4)
+    halved = alone.sample(uv, np.zeros(uv.shape[1], np.float32), Wrap.CLAMP)
+    return halved.T.reshape(half_height, half_width, 4)
 
 
 def _centres(count: int, other: int) -> F32:

@@ -22,13 +22,13 @@ I64 = NDArray[np.int64]
 
 
 class Planes(NamedTuple):
-    """Values that change evenly over a triangle: a row a triangle, a column a value.
+    """Values that change evenly over a triangle: a row a value, a column a triangle.
 
     Attributes
     ----------
-    origin : (n, c) float32
+    origin : (c, n) float32
         At place (0, 0) of the frame.
-    per_x, per_y : (n, c) float32
+    per_x, per_y : (c, n) float32
         The change from one pixel to the next.
     """
 
@@ -37,9 +37,9 @@ class Planes(NamedTuple):
     per_y: F32
 
     def at(self, triangle: I64, x: F64, y: F64) -> F32:
-        """Return the values of triangles at places in the frame, (k, c)."""
-        along_row = fused(self.per_x[triangle], x[:, None], self.origin[triangle])
-        return fused(self.per_y[triangle], y[:, None], along_row)
+        """Return the values of triangles at places in the frame, (c, k)."""
+        origin, per_x, per_y = (plane.take(triangle, axis=1) for plane in self)
+        return fused(per_y, y, fused(per_x, x, origin))
 
 
 @dataclass
@@ -55,7 +55,7 @@ class Triangles:
     depths : (3, n) float32
         0 (near) to 1, at the corners.
     reciprocal_w : (3, n) float32
-    varyings : (3, n, k) float32
+    varyings : (3, k, n) float32
     is_clockwise : (n,) bool
         Whether the corners, as they were drawn, run clockwise if rows count downwards.
     """
@@ -74,8 +74,8 @@ class Triangles:
 
     @cached_property
     def depth_planes(self) -> Planes:
-        """Return depth, one column."""
-        return self.planes(self.depths[..., None])
+        """Return depth, one row."""
+        return self.planes(self.depths[:, None])
 
     def within(self, window: Window) -> Window:
         """Return the part of a window that the triangles reach."""
@@ -86,8 +86,8 @@ class Triangles:
         return window.meet(floor(left), floor(top), floor(right) + 1, floor(bottom) + 1)
 
     def planes(self, values: F32) -> Planes:
-        """Return the planes through values at the corners, (3, n, c)."""
-        x, y = self.x[..., None], self.y[..., None]
+        """Return the planes through values at the corners, (3, c, n)."""
+        x, y = self.x, self.y
         from_second_x, from_second_y = x[0] - x[1], y[0] - y[1]
         to_third_x, to_third_y = x[2] - x[0], y[2] - y[0]
         area = from_second_x * to_third_y - from_second_y * to_third_x
@@ -120,7 +120,7 @@ def set_up(corners: F32, frame: Frame) -> Triangles:
     order = np.stack([first, 1 - first, np.full_like(first, 2)]), kept
     return Triangles(
         *(column[order] for column in (grid_x, grid_y, x, y, depths, reciprocal_w)),
-        varyings=columns[4:].transpose(1, 2, 0)[order],
+        varyings=columns[4:, *order].transpose(1, 0, 2),
         is_clockwise=is_clockwise,
     )
 

@@ -14,7 +14,7 @@ import numpy as np
 from sketchkit.backends.cpu.frames import NO_TRIANGLE, Surface, packed_depths
 from sketchkit.backends.cpu.raster import Spans, ramps
 from sketchkit.backends.cpu.shading import Shading
-from sketchkit.backends.cpu.triangles import F64, I64, Triangles
+from sketchkit.backends.cpu.triangles import I64, Triangles, fused
 
 
 class _Run(NamedTuple):
@@ -22,18 +22,19 @@ class _Run(NamedTuple):
 
     Attributes
     ----------
+    plane : int
     counts : (m,) int64
-        How many each span covers.
+        How many samples each span covers.
+    along : (k,) int64
+        Each sample's place in its span.
     address : (k,) int64
         In a window's (samples, rows, columns).
-    x, y : (k,) and (m,) float64
-        Where the samples lie in the frame, pixels.
     """
 
+    plane: int
     counts: I64
+    along: I64
     address: I64
-    x: F64
-    y: F64
 
 
 def draw_visible(spans: Iterator[Spans], shading: Shading, surface: Surface) -> None:
@@ -75,7 +76,7 @@ def _find_last(
         for run in _runs(some, surface):
             address, triangle = run.address, np.repeat(some.triangle, run.counts)
             if held is not None:
-                passing = _depths(some, run, triangles) <= held.reshape(-1)[address]
+                passing = _depths(some, run, triangles, surface) <= held.reshape(-1)[address]
                 address, triangle = address[passing], triangle[passing]
             shown.reshape(-1)[address] = triangle
     return shown
@@ -93,34 +94,29 @@ def _find_nearest(spans: Iterator[Spans], triangles: Triangles, surface: Surface
     for some in spans:
         for run in _runs(some, surface):
             rank = np.repeat(NO_TRIANGLE - 1 - some.triangle, run.counts)
-            np.minimum.at(least.reshape(-1), run.address, _depths(some, run, triangles) | rank)
+            ranked = _depths(some, run, triangles, surface) | rank
+            np.minimum.at(least.reshape(-1), run.address, ranked)
     held[...] = least | NO_TRIANGLE
     return NO_TRIANGLE - 1 - (least & NO_TRIANGLE)
 
 
 def _runs(spans: Spans, surface: Surface) -> Iterator[_Run]:
     """Yield what the spans cover, a plane of samples after the other."""
-    window, grid = surface.window, surface.frame.grid
+    window = surface.window
     rows, columns = window.bottom - window.top, window.right - window.left
-    for plane, (place_x, place_y) in enumerate(grid.places):
-        left = spans.left[plane]
-        counts = spans.right[plane] - left
-        start = (plane * rows + spans.row - window.top) * columns + left - window.left
+    for plane, (left, right) in enumerate(zip(spans.left, spans.right, strict=True)):
+        counts = right - left
         along = ramps(counts)
-        yield _Run(
-            counts,
-            address=np.repeat(start, counts) + along,
-            x=np.repeat(left + place_x, counts) + along,
-            y=spans.row + place_y,
-        )
+        start = (plane * rows + spans.row - window.top) * columns + left - window.left
+        yield _Run(plane, counts, along, np.repeat(start, counts) + along)
 
 
-def _depths(spans: Spans, run: _Run, triangles: Triangles) -> I64:
-    """Return depths of samples, (k,), times 2**32 as the frame holds them."""
-    planes = triangles.depth_planes
+def _depths(spans: Spans, run: _Run, triangles: Triangles, surface: Surface) -> I64:
+    """Return the depths of samples, (k,), as the frame holds them."""
+    place_x, place_y = surface.frame.grid.places[run.plane]
+    x = np.repeat(spans.left[run.plane] + place_x, run.counts) + run.along
+    y = np.repeat(spans.row + place_y, run.counts)
     origin, per_x, per_y = (
-        np.repeat(column[spans.triangle, 0].astype(np.float64), run.counts) for column in planes
+        np.repeat(plane[0, spans.triangle], run.counts) for plane in triangles.depth_planes
     )
-    z = (per_x * run.x + origin).astype(np.float32)
-    z = (per_y * np.repeat(run.y, run.counts) + z).astype(np.float32)
-    return packed_depths(z)
+    return packed_depths(fused(per_y, y, fused(per_x, x, origin)))

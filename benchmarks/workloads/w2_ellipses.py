@@ -1,0 +1,13 @@
+"""W2: 10,000 ellipses, each with a fill of its own."""
+
+
+def setup():
+    size(640, 480, P2D)
+    noStroke()
+
+
+def draw():
+    background(200)
+    for i in range(10000):
+        fill(i & 255, (i * 7) & 255, (i * 13) & 255)
+        ellipse((i * 37) % width, (i * 53) % height, 10, 10)

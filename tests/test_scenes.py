@@ -1,0 +1,110 @@
+"""Every scene on every renderer: as text, on the CPU, with OpenGL, and against Processing.
+
+`tests/scenes/make_processing_goldens.py` says how Processing's pictures are made.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from sketchkit.backends.cpu.executor import CpuBackend
+from sketchkit.backends.gl.executor import GlBackend
+from sketchkit.backends.listing import ListingBackend
+from sketchkit.draw.backend import Backend
+from sketchkit.draw.vertex import U8
+from tests.canvases import new_canvas
+from tests.goldens import Goldens
+from tests.scenes import SCENES, TOPICS, Scene, registry
+
+GL_SHARE = 1 - 1 / 2000
+PROCESSING_TOLERANCE = 2
+
+every_scene = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
+
+
+def render(scene: Scene, backend: Backend) -> U8:
+    """Return the picture of a scene, (h, w, 4)."""
+    canvas = new_canvas(scene.renderer, backend, scene.size, scene.samples)
+    scene.draw(canvas)
+    return canvas.image_data()
+
+
+@cache
+def on_cpu(scene: Scene) -> U8:
+    return render(scene, CpuBackend())
+
+
+@every_scene
+def test_draw_list_is_as_before(scene: Scene, goldens: Goldens) -> None:
+    backend = ListingBackend()
+
+    render(scene, backend)
+
+    goldens.check_text(f"trace/{scene.name}.txt", "".join(backend.texts))
+
+
+@every_scene
+def test_cpu_picture_is_as_before(scene: Scene, goldens: Goldens) -> None:
+    picture = on_cpu(scene)
+
+    goldens.check_picture(f"image/{scene.name}.png", picture)
+
+
+@every_scene
+def test_gl_agrees_with_the_cpu(scene: Scene, goldens: Goldens, gl_backend: GlBackend) -> None:
+    picture = render(scene, gl_backend)
+
+    goldens.check_near(
+        f"image/{scene.name}.png",
+        picture,
+        tolerance=scene.gl_tolerance,
+        least_share=GL_SHARE,
+        label="gl",
+    )
+
+
+@every_scene
+def test_cpu_agrees_with_processing(scene: Scene, goldens: Goldens) -> None:
+    picture = on_cpu(scene)
+
+    goldens.check_near(
+        f"processing/{scene.name}.png",
+        picture,
+        tolerance=PROCESSING_TOLERANCE,
+        least_share=scene.processing_share,
+        label="cpu",
+    )
+
+
+@every_scene
+def test_gl_agrees_with_processing(
+    scene: Scene, goldens: Goldens, gl_backend: GlBackend
+) -> None:
+    picture = render(scene, gl_backend)
+
+    goldens.check_near(
+        f"processing/{scene.name}.png",
+        picture,
+        tolerance=PROCESSING_TOLERANCE,
+        least_share=scene.processing_share,
+        label="gl",
+    )
+
+
+def test_every_file_of_scenes_is_a_topic() -> None:
+    folder = Path(registry.__file__).parent
+    others = {"__init__", "registry", "make_processing_goldens"}
+
+    topics = {path.stem for path in folder.glob("*.py")} - others
+
+    assert topics == {topic.__name__.rpartition(".")[2] for topic in TOPICS}
+
+
+@pytest.mark.parametrize("folder", ["trace", "image", "processing"])
+def test_every_golden_belongs_to_a_scene(folder: str) -> None:
+    kept = {path.stem for path in (Path(__file__).parent / "golden" / folder).iterdir()}
+
+    assert kept <= set(SCENES)
