@@ -1,5 +1,10 @@
 """`python -m sketchkit` is the command `sketchkit`."""
 
-from sketchkit.cli.main import main
+import sys
 
-main()
+if not sys.flags.safe_path:
+    del sys.path[0]  # the folder we are in: a student's math.py there is not Python's
+
+from sketchkit.cli.main import main  # noqa: E402 # see above
+
+main(prog_name="sketchkit")

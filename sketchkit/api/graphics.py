@@ -12,7 +12,7 @@ from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.stacks import Stacks
 from sketchkit.api.text import Text
 from sketchkit.api.textures import Textures
-from sketchkit.core.constants import P3D
+from sketchkit.core.constants import FX2D, JAVA2D, P3D
 from sketchkit.draw.commands import Settling
 from sketchkit.draw.recorder import Kind
 from sketchkit.draw.resources import Target
@@ -46,7 +46,13 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         self._target.resize(width, height, samples)
         self._renderer_name = renderer_name
         is_3d = renderer_name == P3D
-        self._stage = Stage(self._target, is_3d=is_3d, is_perspective=is_3d, depth_test=is_3d)
+        self._stage = Stage(
+            self._target,
+            is_3d=is_3d,
+            centers_strokes=renderer_name in (JAVA2D, FX2D),
+            is_perspective=is_3d,
+            depth_test=is_3d,
+        )
         self._restage(projection=self._flat_projection())
         if is_3d:
             self.perspective()
@@ -73,7 +79,9 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         only one of its samples. That shows at edges, and so it is followed here.
         """
         how = Settling.KEEP
-        if self._is_layered:
+        if self._renderer_name in (JAVA2D, FX2D):
+            pass  # these draw into one image for ever
+        elif self._is_layered:
             how = Settling.MEAN
         elif self._has_drawn and not self._was_cleared:
             self._renderer.flush()

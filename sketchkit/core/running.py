@@ -1,12 +1,16 @@
-"""Which sketch is running: `from sketchkit import *` in its file means that one's names."""
+"""Which sketch is running: `from sketchkit import *` in its file means that one's names.
+
+This file is loaded before all others, and needs no module of Python's library: a sketch's folder
+may have files that hide some, and `python -m sketchkit` would take those.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
 
 
-@dataclass(frozen=True)
 class Running:
     """A sketch that is running.
 
@@ -18,8 +22,9 @@ class Running:
         The names that always mean the same, so that a copy of them stays right.
     """
 
-    names: Mapping[str, object]
-    lasting: Sequence[str]
+    def __init__(self, names: Mapping[str, object], lasting: Sequence[str]) -> None:
+        self.names = names
+        self.lasting = lasting
 
 
 _running: list[Running] = []

@@ -21,7 +21,7 @@ from sketchkit.draw.vertex import Layer
 from sketchkit.geometry.ribbons import ribbon
 from sketchkit.geometry.shapes import triangle_normals
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 
 # Ends of strokes are pulled a thousandth toward the eye, to win over the fill that they outline.
 PULL_PERSPECTIVE = (0.999, 0.999, 0.999)
@@ -48,6 +48,8 @@ class Assembler:
 
     def _add_fills(self, fills: Fills) -> None:
         x, y, z = self.rows.transform(fills.rows, fills.x, fills.y, fills.z)
+        if fills.shift is not None:
+            x, y = x + fills.shift[:, :1], y + fills.shift[:, 1:]
         if fills.snap is not None:
             snap = fills.snap[:, None]
             x, y = np.where(snap, np.ceil(x), x), np.where(snap, np.ceil(y), y)

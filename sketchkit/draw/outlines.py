@@ -27,6 +27,7 @@ SEGMENT = np.array([(0, 1, 2), (2, 0, 3)])
 SQUARE_X = np.array([[0, -1, 1, 1, -1]], np.float32) / 2
 SQUARE_Y = np.array([[0, -1, -1, 1, 1]], np.float32) / 2
 OPAQUE = 255
+MIDDLE = np.float32(0.5)  # of a pixel
 PAINTS_ONCE = (Blend.BLEND, Blend.REPLACE, Blend.LIGHTEST, Blend.DARKEST)
 
 
@@ -111,7 +112,7 @@ def _add_thin(rows: Rows, outlines: Outlines, out: Expansion) -> None:
     scaled = rows.scales[states][:, None] * outlines.weights
     whole = (scaled == np.trunc(scaled)).all(axis=1)
     snap = rows.can_snap[states] & whole & _rows_agree(outlines.rows, _is_aligned(lines))
-    fills = _stroke_fills(outlines, pieces, SEGMENT)
+    fills = _stroke_fills(rows, outlines, pieces, SEGMENT)
     fills.snap = snap[pieces.lines] if snap.any() else None
     out.fills.append(fills)
 
@@ -119,8 +120,8 @@ def _add_thin(rows: Rows, outlines: Outlines, out: Expansion) -> None:
 def _is_aligned(lines: Polylines) -> Bool:
     """Return which polylines have all their segments along the axes, (n,)."""
     (x0, y0), (x1, y1) = lines.ends()
-    aligned: Bool = ((np.abs(x0 - x1) < SAME) | (np.abs(y0 - y1) < SAME)).all(axis=1)
-    return aligned
+    aligned = ((np.abs(x0 - x1) < SAME) | (np.abs(y0 - y1) < SAME)).all(axis=1)
+    return np.asarray(aligned)
 
 
 def _rows_agree(rows: I64, fits: Bool) -> Bool:
@@ -128,14 +129,32 @@ def _rows_agree(rows: I64, fits: Bool) -> Bool:
     return fits if fits.all() else ~np.isin(rows, rows[~fits])
 
 
-def _stroke_fills(outlines: Outlines, pieces: Pieces, triangles: I64) -> Fills:
+def _shift(rows: Rows, at: I64, x: F32, y: F32) -> F32 | None:
+    """Return by how much outlines that begin at x, y, (n,), are moved to the middle of a pixel."""
+    centers = rows.centers_strokes[rows.states[at]]
+    if not centers.any():
+        return None
+    eye_x, eye_y, _ = rows.transform(at, x[:, None], y[:, None], ZERO)
+    start = np.concatenate([eye_x, eye_y], axis=1)
+    return np.where(centers[:, None], np.floor(start) + MIDDLE - start, 0)
+
+
+def _stroke_fills(rows: Rows, outlines: Outlines, pieces: Pieces, triangles: I64) -> Fills:
     """Return pieces of strokes as fills, in the colours of their points."""
     if outlines.colors.shape[1] == 1:
         colors = outlines.colors[pieces.lines]
     else:
         colors = outlines.colors[pieces.lines[:, None], pieces.points]
+    shift = _shift(rows, outlines.rows, outlines.x[:, 0], outlines.y[:, 0])
     return Fills(
-        outlines.rows[pieces.lines], pieces.x, pieces.y, ZERO, triangles, colors, is_stroke=True
+        outlines.rows[pieces.lines],
+        pieces.x,
+        pieces.y,
+        ZERO,
+        triangles,
+        colors,
+        is_stroke=True,
+        shift=None if shift is None else shift[pieces.lines],
     )
 
 
@@ -158,22 +177,24 @@ def _add_wide(rows: Rows, outlines: Outlines, out: Expansion) -> None:
         weight, cap, join, is_free = key
         some = outlines.take(np.array([other == key for other in keys]))
         if is_free:
-            _add_overlapping(some, weight, cap, join, out)
+            _add_overlapping(rows, some, weight, cap, join, out)
         else:
-            _add_united(some, weight, cap, join, out)
+            _add_united(rows, some, weight, cap, join, out)
 
 
 def _add_overlapping(
-    outlines: Outlines, weight: float, cap: int, join: int, out: Expansion
+    rows: Rows, outlines: Outlines, weight: float, cap: int, join: int, out: Expansion
 ) -> None:
     """Add strokes piece by piece: where the pieces overlap does not show."""
     lines = Polylines(outlines.x, outlines.y, outlines.is_closed)
     for pieces in wide_stroke(lines, weight, cap, join):
         triangles = fan(pieces.x.shape[1], closed=False)
-        out.fills.append(_stroke_fills(outlines, pieces, triangles))
+        out.fills.append(_stroke_fills(rows, outlines, pieces, triangles))
 
 
-def _add_united(outlines: Outlines, weight: float, cap: int, join: int, out: Expansion) -> None:
+def _add_united(
+    rows: Rows, outlines: Outlines, weight: float, cap: int, join: int, out: Expansion
+) -> None:
     """Add strokes as one outline for each row, so that nothing is painted twice."""
     for row in np.unique(outlines.rows):
         some = outlines.take(outlines.rows == row)
@@ -194,6 +215,7 @@ def _add_united(outlines: Outlines, weight: float, cap: int, join: int, out: Exp
                 np.array([(0, 1, 2)]),
                 colors[found.triangles],
                 is_stroke=True,
+                shift=_shift(rows, some.rows[:1], some.x[:1, 0], some.y[:1, 0]),
             )
         )
 
@@ -252,5 +274,6 @@ def _add_fans(
             dots.colors[:, None],
             is_stroke=True,
             snap=None if is_round else rows.can_snap[states],
+            shift=_shift(rows, dots.rows, dots.x, dots.y),
         )
     )

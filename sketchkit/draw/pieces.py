@@ -31,6 +31,8 @@ class Fills:
         An outline in the plane: drawn after the fill of its row, without texture or light.
     snap : (n,) bool or None
         Which pieces are moved to whole pixels.
+    shift : (n, 2) float32 or None, pixels
+        By how much each piece is moved after the transform.
     uvs : (n, k, 2) float32 or None
     textures : list of Pixels, one for each piece, or None
     normals : (n or 1, k or 1, 3) float32, object space, or None
@@ -49,6 +51,7 @@ class Fills:
     colors: I64
     is_stroke: bool = False
     snap: Bool | None = None
+    shift: F32 | None = None
     uvs: F32 | None = None
     textures: list[Pixels] | None = None
     normals: F32 | None = None

@@ -14,7 +14,7 @@ from sketchkit.core.style import Style
 from sketchkit.draw.recorder import Recorder
 from sketchkit.draw.stage import Stage
 
-F32 = NDArray[np.float32]
+F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 Floats = NDArray[np.floating]
 I64 = NDArray[np.int64]
 Bool = NDArray[np.bool_]
@@ -69,6 +69,11 @@ class Rows:
         a, b, c, _, d, e, f, _, g, h, i, _ = self.matrices.T.astype(np.float64)
         determinants = a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
         return np.cbrt(np.abs(determinants)).astype(np.float32)
+
+    @cached_property
+    def centers_strokes(self) -> Bool:
+        """Whether each state moves outlines to the middle of pixels, (s,)."""
+        return self.of_states(lambda state: self.stages[state].centers_strokes, np.bool_)
 
     @cached_property
     def can_snap(self) -> Bool:

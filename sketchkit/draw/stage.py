@@ -21,12 +21,15 @@ class Stage:
     ----------
     is_3d : bool
         Whether strokes face the viewer (P3D) or are outlines in the plane (P2D).
+    centers_strokes : bool
+        Whether an outline begins at the middle of a pixel, as in JAVA2D.
     lights : LightRig or None
         None is unlit; an empty rig is lit by nothing.
     """
 
     target: Target
     is_3d: bool = False
+    centers_strokes: bool = False
     projection: Mat4 = IDENTITY4
     is_perspective: bool = True
     blend: Blend = Blend.BLEND

@@ -85,9 +85,8 @@ def strokes_thinner_with_distance(g: PGraphics) -> None:
 def coplanar_shapes_show_the_later_one(g: PGraphics) -> None:
     g.background(20, 40, 60)
     g.noStroke()
-    g.translate(48, 50)
-    g.rotateX(radians(40))
-    g.rotateZ(radians(15))
+    g.translate(48, 50, -12)
+    g.rotateZ(radians(15))  # facing the camera: in another plane, rounding would decide
     for i in range(4):
         g.fill(255 - 60 * i, 100, 60 * i)
         g.rect(-40 + 10 * i, -36 + 9 * i, 46, 40)

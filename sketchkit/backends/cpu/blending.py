@@ -38,7 +38,8 @@ def times(a: U16, b: U16) -> U16:
 
 
 def _sum(a: U16, b: U16) -> U16:
-    return np.minimum(a + b, OPAQUE)
+    total: U16 = np.minimum(a + b, OPAQUE)
+    return total
 
 
 def _over(source: U16, alpha: U16, destination: U16) -> U16:

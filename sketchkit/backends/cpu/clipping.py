@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from sketchkit.draw.vertex import F32
 
 I64 = NDArray[np.int64]
+Mask = NDArray[np.bool_]
 
 # Distance inside a side is side @ clip: right, left, top, bottom, near, far.
 SIDES: F32 = np.array(
@@ -27,8 +28,9 @@ def clip_triangles(corners: F32) -> F32:
     `corners` is (n, 3, 4 + k): clip space, and what else is interpolated. A triangle that a side
     cuts becomes a fan of up to seven.
     """
-    outside = np.stack([_distance(corners, side) < 0 for side in SIDES], axis=2)  # (n, 3, sides)
-    crossed = outside.any(axis=1)  # (n, sides)
+    distances = np.stack([_distance(corners, side) for side in SIDES], axis=2)
+    outside: Mask = np.less(distances, 0)  # (n, 3, sides)
+    crossed: Mask = outside.any(axis=1)  # (n, sides)
     if not crossed.any() and np.isfinite(corners[..., :4]).all():
         return corners
     gone = outside.all(axis=1).any(axis=1) | ~np.isfinite(corners[..., :4]).all(axis=(1, 2))
@@ -49,7 +51,7 @@ def _distance(corners: F32, side: F32) -> F32:
     return distance
 
 
-def _cut_polygons(triangles: F32, crossed: NDArray[np.bool_]) -> tuple[F32, I64]:
+def _cut_polygons(triangles: F32, crossed: Mask) -> tuple[F32, I64]:
     """Return the polygons that are left, (n, 9, 4 + k), and the number of corners of each."""
     polygons = np.zeros((len(triangles), MOST_CORNERS, triangles.shape[2]), np.float32)
     polygons[:, :3] = triangles

@@ -27,7 +27,6 @@ from sketchkit.draw.pipeline import Blend, Pipeline
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.vertex import U8, VertexBlock
 
-
 MOST_PARTS = 16  # more runs of opaque and translucent triangles than this are drawn as one
 
 

@@ -86,6 +86,7 @@ class Frame:
 
     Attributes
     ----------
+    samples, height, width : int
     colors : (samples, height, width, 4) uint8
     version : int
         The target's, when the frame was made.
@@ -95,23 +96,9 @@ class Frame:
     def __init__(self, target: Target) -> None:
         self.version = target.version
         self.grid = _GRIDS[target.samples]
-        self.colors: U8 = np.zeros((target.samples, target.height, target.width, 4), np.uint8)
+        self.samples, self.height, self.width = target.samples, target.height, target.width
+        self.colors: U8 = np.zeros((self.samples, self.height, self.width, 4), np.uint8)
         self._depths: I64 | None = None
-
-    @property
-    def samples(self) -> int:
-        """How many samples a pixel has."""
-        return self.colors.shape[0]
-
-    @property
-    def height(self) -> int:
-        """Rows of pixels."""
-        return self.colors.shape[1]
-
-    @property
-    def width(self) -> int:
-        """Columns of pixels."""
-        return self.colors.shape[2]
 
     @property
     def depths(self) -> I64:
@@ -143,7 +130,7 @@ class Frame:
 
     def picture(self) -> U8:
         """Return the average of the samples, (height, width, 4)."""
-        averages = self.colors[0].copy()
+        averages: U8 = self.colors[0].copy()
         packed = self.colors.view(np.uint32)[..., 0]
         row, column = np.nonzero((packed[1:] != packed[0]).any(axis=0))
         averages[row, column] = _average(self.colors[:, row, column])
@@ -151,7 +138,7 @@ class Frame:
 
 
 class Surface(NamedTuple):
-    """What a draw draws on: a frame, the part of it that the draw reaches, and how it is changed."""
+    """What a draw changes: a frame, the part of it that the draw reaches, and in which way."""
 
     frame: Frame
     window: Window
@@ -180,7 +167,8 @@ def _average(samples: U8) -> U8:
     In float32 and one after the other, as Mesa does: a mean that lies half-way between two whole
     numbers then falls to the same side.
     """
-    total = np.zeros(samples.shape[1:], np.float32)
+    total: F32 = np.zeros(samples.shape[1:], np.float32)
     for sample in samples:
         total += sample * np.float32(1 / 255)
-    return np.rint(total * np.float32(255 / len(samples))).astype(np.uint8)
+    mean: U8 = np.rint(total * np.float32(255 / len(samples))).astype(np.uint8)
+    return mean

@@ -40,7 +40,8 @@ class Fragments(NamedTuple):
 
     def take(self, which: I64) -> Fragments:
         """Return some of the fragments."""
-        return Fragments(*(column[..., which] for column in self))
+        triangle, row, column, is_covered = self
+        return Fragments(triangle[which], row[which], column[which], is_covered[:, which])
 
 
 def draw_in_layers(spans: Iterator[Spans], shading: Shading, surface: Surface) -> None:

@@ -71,7 +71,7 @@ class _Surface:
         distance = np.sqrt(_dot(way, way))
         constant, linear, quadratic = (np.float32(factor) for factor in light.falloff)
         with np.errstate(divide="ignore"):
-            reach = 1 / (constant + linear * distance + quadratic * distance * distance)
+            reach = np.float32(1) / (constant + linear * distance + quadratic * distance * distance)
         return _unit(way), reach
 
     def _cone(self, light: Light) -> F32:
@@ -91,14 +91,15 @@ def _facing(directions: F32, normals: F32) -> F32:
 
 def _dot(a: F32, b: F32) -> F32:
     products = a * b
-    return products[..., 0:1] + products[..., 1:2] + products[..., 2:3]
+    total: F32 = products[..., 0:1] + products[..., 1:2] + products[..., 2:3]
+    return total
 
 
 def _unit(vectors: F32) -> F32:
     """Return vectors of length 1; of the zero vector NaN, which `_facing` takes for dark."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        unit: F32 = vectors * (1 / np.sqrt(_dot(vectors, vectors)))
-    return unit
+        lengths: F32 = np.sqrt(_dot(vectors, vectors))
+        return vectors * (np.float32(1) / lengths)
 
 
 def _rgb(three: tuple[float, float, float]) -> F32:

@@ -10,11 +10,10 @@ from __future__ import annotations
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sketchkit.backends.cpu.lighting import unit_colors
 from sketchkit.backends.cpu.textures import Texture
-from sketchkit.backends.cpu.triangles import F64, I64, Planes, Triangles
+from sketchkit.backends.cpu.triangles import I64, Numbers, Planes, Triangles
 from sketchkit.backends.cpu.vertices import LIT
 from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.vertex import F32, U8
@@ -80,7 +79,7 @@ class Shading:
         )
         return texture.sample(uv_at(column, row), texels_squared, self._wrap)
 
-    def _interpolate(self, planes: Planes, triangle: I64, x: F64, y: F64) -> F32:
+    def _interpolate(self, planes: Planes, triangle: I64, x: Numbers, y: Numbers) -> F32:
         """Return values, of which planes have what is divided by w, at places in the frame."""
         values = planes.at(triangle, x, y)
         values *= 1 / self._reciprocal_w_planes.at(triangle, x, y)

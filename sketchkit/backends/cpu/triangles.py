@@ -19,6 +19,7 @@ from sketchkit.draw.vertex import F32
 
 F64 = NDArray[np.float64]
 I64 = NDArray[np.int64]
+Numbers = NDArray[np.floating] | NDArray[np.integer]
 
 
 class Planes(NamedTuple):
@@ -36,7 +37,7 @@ class Planes(NamedTuple):
     per_x: F32
     per_y: F32
 
-    def at(self, triangle: I64, x: F64, y: F64) -> F32:
+    def at(self, triangle: I64, x: Numbers, y: Numbers) -> F32:
         """Return the values of triangles at places in the frame, (c, k)."""
         origin, per_x, per_y = (plane.take(triangle, axis=1) for plane in self)
         return fused(per_y, y, fused(per_x, x, origin))
@@ -70,7 +71,7 @@ class Triangles:
     is_clockwise: NDArray[np.bool_]
 
     def __len__(self) -> int:
-        return self.grid_x.shape[1]
+        return len(self.is_clockwise)
 
     @cached_property
     def depth_planes(self) -> Planes:
@@ -106,31 +107,38 @@ def set_up(corners: F32, frame: Frame) -> Triangles:
     """
     columns = np.ascontiguousarray(corners.transpose(2, 1, 0))  # (4 + k, 3, n)
     reciprocal_w = 1 / columns[3]
-    half_size = np.array([frame.width, frame.height, 1], np.float32)[:, None, None] / 2
+    half_size = np.array([frame.width / 2, frame.height / 2, 0.5], np.float32)[:, None, None]
     x, y, depths = fused(columns[:3] * reciprocal_w, half_size, half_size)
     x, y = x - np.float32(frame.grid.shift), y - np.float32(frame.grid.shift)
-    # + 0.0: no -0.0, for the sign of a zero decides at horizontal edges (see raster).
-    grid_x, grid_y = (
-        np.rint(place * np.float32(SUBPIXELS)).astype(np.float64) + 0.0 for place in (x, y)
-    )
-    area = _twice_area(grid_x, grid_y)
+    grid_x, grid_y = _to_grid(x), _to_grid(y)
+    area = (grid_x[1] - grid_x[0]) * (grid_y[2] - grid_y[0])
+    area -= (grid_x[2] - grid_x[0]) * (grid_y[1] - grid_y[0])
     kept = np.flatnonzero(area)
-    is_clockwise = area[kept] > 0
-    first = np.where(is_clockwise, 1, 0)
+    is_clockwise: NDArray[np.bool_] = area[kept] > 0
+    first = np.where(is_clockwise, 1, 0)  # anticlockwise from there on
     order = np.stack([first, 1 - first, np.full_like(first, 2)]), kept
     return Triangles(
-        *(column[order] for column in (grid_x, grid_y, x, y, depths, reciprocal_w)),
-        varyings=columns[4:, *order].transpose(1, 0, 2),
-        is_clockwise=is_clockwise,
+        grid_x[order],
+        grid_y[order],
+        x[order],
+        y[order],
+        depths[order],
+        reciprocal_w[order],
+        columns[4:, *order].transpose(1, 0, 2),
+        is_clockwise,
     )
 
 
-def fused(a: F32, b: F32 | F64, c: F32) -> F32:
+def _to_grid(places: F32) -> F64:
+    """Return places, pixels, in whole 1/256 px.
+
+    + 0.0 leaves no -0.0: at horizontal edges the sign of a zero decides (see raster).
+    """
+    grid: F64 = np.rint(places * np.float32(SUBPIXELS)).astype(np.float64) + 0.0
+    return grid
+
+
+def fused(a: F32, b: Numbers, c: F32) -> F32:
     """Return a * b + c, rounded once: the product of two float32 is exact in float64."""
     total: F32 = (a * np.asarray(b, np.float64) + c).astype(np.float32)
     return total
-
-
-def _twice_area(x: F64, y: F64) -> F64:
-    area: F64 = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
-    return area

@@ -1,0 +1,109 @@
+"""Times a workload on py5: `py5's python py5_frames.py FILE 4 1.5`.
+
+It is run by the Python that has py5, and so imports nothing of sketchkit. The arguments are the
+workload's file, samples for each pixel, and the seconds to measure for, after as many to warm up.
+The workload finds py5's functions under Processing's names. For each frame the milliseconds inside
+the workload's `draw()`, and those until OpenGL has finished, are printed.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from time import perf_counter
+
+import py5
+
+FEWEST_FRAMES = 8
+SIZE = re.compile(r"size\((\d+), (\d+), (P2D|P3D)\)")
+
+
+class Names(dict[str, object]):
+    """A sketch's names; those it does not define are py5's: beginShape is begin_shape."""
+
+    def __missing__(self, name: str) -> object:
+        """Return what py5 has under a name of Processing's."""
+        snake_case = re.sub(r"(?<=[a-z])([A-Z])", r"_\1", name).lower()
+        value: object = getattr(py5, name, None) or getattr(py5, snake_case, None)
+        if value is None:
+            raise KeyError(name)
+        self[name] = value
+        return value
+
+
+def main() -> None:
+    """Run the workload in a window."""
+    path, samples, seconds = Path(sys.argv[1]), sys.argv[2], float(sys.argv[3])
+    text = path.read_text(encoding="utf-8")
+    width, height, renderer = SIZE.findall(text)[0]
+    names = _sketch(path, text)
+    clock = FrameClock(seconds)
+
+    def settings() -> None:
+        py5.size(int(width), int(height), getattr(py5, renderer))
+        if samples == "1":
+            py5.no_smooth()
+
+    def setup() -> None:
+        py5.frame_rate(2000)
+        names["setup"]()
+
+    def draw() -> None:
+        names["frameCount"] = py5.frame_count
+        clock.time(names["draw"])
+
+    names["width"], names["height"] = int(width), int(height)
+    py5.run_sketch(sketch_functions={"settings": settings, "setup": setup, "draw": draw})
+
+
+def _sketch(path: Path, text: str) -> dict[str, object]:
+    """Return what the workload defines, ready to be called."""
+    defined = Names(size=lambda *_: None)  # it is called in settings()
+    code = compile(text, str(path), "exec")
+    names: dict[str, object] = {}
+    exec(code, names)
+    # A function's globals must be a plain dictionary: fill in what it lacks, once.
+    wanted = {name for value in code.co_consts if hasattr(value, "co_names") for name in value.co_names}
+    for name in wanted - names.keys() - set(dir(__builtins__)) - {"width", "height", "frameCount"}:
+        names[name] = defined[name]
+    return names
+
+
+class FrameClock:
+    """Times frames until there are enough, and ends the program then."""
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds = seconds
+        self._begun: float | None = None
+        self._frames = 0
+
+    def time(self, draw: Callable[[], None]) -> None:
+        """Draw a frame and print its times."""
+        start = perf_counter()
+        self._begun = self._begun or start
+        draw()
+        called = perf_counter()
+        _finish()
+        finished = perf_counter()
+        age = start - self._begun
+        self._frames += 1
+        if age > self._seconds:
+            print("frame", f"{(called - start) * 1000:.4f}", f"{(finished - start) * 1000:.4f}")
+        if age > 2 * self._seconds and self._frames >= FEWEST_FRAMES:
+            sys.stdout.flush()
+            os._exit(0)  # py5's own way out takes seconds
+
+
+def _finish() -> None:
+    """Wait until everything is drawn."""
+    py5.flush()
+    sketch = py5.get_current_sketch()._instance  # py5 itself offers no glFinish()
+    sketch.beginPGL().finish()
+    sketch.endPGL()
+
+
+if __name__ == "__main__":
+    main()
