@@ -14,6 +14,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
+from types import CodeType
 
 import py5
 
@@ -21,25 +22,15 @@ FEWEST_FRAMES = 8
 SIZE = re.compile(r"size\((\d+), (\d+), (P2D|P3D)\)")
 
 
-class Names(dict[str, object]):
-    """A sketch's names; those it does not define are py5's: beginShape is begin_shape."""
-
-    def __missing__(self, name: str) -> object:
-        """Return what py5 has under a name of Processing's."""
-        snake_case = re.sub(r"(?<=[a-z])([A-Z])", r"_\1", name).lower()
-        value: object = getattr(py5, name, None) or getattr(py5, snake_case, None)
-        if value is None:
-            raise KeyError(name)
-        self[name] = value
-        return value
-
-
 def main() -> None:
     """Run the workload in a window."""
     path, samples, seconds = Path(sys.argv[1]), sys.argv[2], float(sys.argv[3])
     text = path.read_text(encoding="utf-8")
     width, height, renderer = SIZE.findall(text)[0]
-    names = _sketch(path, text)
+    code = compile(text, str(path), "exec")
+    names = _names_for(code) | {"width": int(width), "height": int(height)}
+    names["size"] = lambda *_: None  # called in settings(), as py5 wants it
+    exec(code, names)
     clock = FrameClock(seconds)
 
     def settings() -> None:
@@ -55,21 +46,19 @@ def main() -> None:
         names["frameCount"] = py5.frame_count
         clock.time(names["draw"])
 
-    names["width"], names["height"] = int(width), int(height)
     py5.run_sketch(sketch_functions={"settings": settings, "setup": setup, "draw": draw})
 
 
-def _sketch(path: Path, text: str) -> dict[str, object]:
-    """Return what the workload defines, ready to be called."""
-    defined = Names(size=lambda *_: None)  # it is called in settings()
-    code = compile(text, str(path), "exec")
-    names: dict[str, object] = {}
-    exec(code, names)
-    # A function's globals must be a plain dictionary: fill in what it lacks, once.
-    wanted = {name for value in code.co_consts if hasattr(value, "co_names") for name in value.co_names}
-    for name in wanted - names.keys() - set(dir(__builtins__)) - {"width", "height", "frameCount"}:
-        names[name] = defined[name]
-    return names
+def _names_for(code: CodeType) -> dict[str, object]:
+    """Return what py5 has of the names that the workload's functions use."""
+    functions = [value for value in code.co_consts if isinstance(value, CodeType)]
+    used = {name for function in functions for name in function.co_names}
+    return {name: getattr(py5, _py5_name(name)) for name in used if hasattr(py5, _py5_name(name))}
+
+
+def _py5_name(name: str) -> str:
+    """Return py5's form of a name of Processing's: begin_shape for beginShape."""
+    return name if name.isupper() else re.sub(r"([A-Z])", r"_\1", name).lower()
 
 
 class FrameClock:

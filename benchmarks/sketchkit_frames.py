@@ -16,7 +16,7 @@ from benchmarks.workloads import file_of
 from sketchkit.core.clock import VirtualClock
 from sketchkit.draw.renderer import Renderer
 from sketchkit.runtime.backends import open_backend
-from sketchkit.runtime.headless import opened
+from sketchkit.runtime.headless import Launch, opened
 
 FEWEST_FRAMES = 8
 
@@ -26,7 +26,8 @@ def main() -> None:
     workload, samples, seconds, renderer_name = sys.argv[1:]
     backend = open_backend(renderer_name).backend
     finish = backend.context.finish if renderer_name == "gl" else _nothing
-    with opened(file_of(workload), Renderer(backend), VirtualClock(), tell=_complain) as loop:
+    launch = Launch(file_of(workload), tell=_complain)
+    with opened(launch, Renderer(backend), VirtualClock()) as loop:
         if samples == "1":
             loop.program.sketch.start_without_smoothing()
         loop.begin()

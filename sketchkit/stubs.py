@@ -54,7 +54,10 @@ class filter[T](builtins.filter[T]):
 AS_IN_PYTHON = frozenset({"open"})  # what editors know of Python's own is right
 
 INDENT = "    "
-STARS: dict[object, str] = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
+STARS: dict[object, str] = {
+    inspect.Parameter.VAR_POSITIONAL: "*",
+    inspect.Parameter.VAR_KEYWORD: "**",
+}
 SHOWN_DEFAULTS = (bool, int, float, str, type(None))
 
 
@@ -106,7 +109,12 @@ def stub() -> str:
 
 def blank_sketch() -> Sketch:
     """Return a sketch that draws nothing and does nothing, to look at its names."""
-    return Sketch(PGraphics(Renderer(ListingBackend()), Target(1, 1)))
+    return Sketch(blank_canvas())
+
+
+def blank_canvas() -> PGraphics:
+    """Return a canvas that draws nothing."""
+    return PGraphics(Renderer(ListingBackend()), Target(1, 1))
 
 
 def _declaration(name: str, value: object, imports: Imports) -> str:

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from sketchkit.api.graphics import PGraphics
+from sketchkit.backends.cpu.executor import CpuBackend
 from sketchkit.backends.gl.executor import GlBackend
+from sketchkit.draw.backend import Backend
 from tests import canvases
 from tests.goldens import Failures, Goldens
 
@@ -56,6 +58,15 @@ def gl_backend() -> Iterator[GlBackend]:
     backend = GlBackend.headless()
     yield backend
     backend.close()
+
+
+@pytest.fixture(params=["gl", "cpu"])
+def backend(request: pytest.FixtureRequest) -> Backend:
+    """Each renderer in turn."""
+    if request.param == "gl":
+        shared: GlBackend = request.getfixturevalue("gl_backend")
+        return shared
+    return CpuBackend()
 
 
 @pytest.fixture

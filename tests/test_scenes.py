@@ -80,9 +80,7 @@ def test_cpu_agrees_with_processing(scene: Scene, goldens: Goldens) -> None:
 
 
 @every_scene
-def test_gl_agrees_with_processing(
-    scene: Scene, goldens: Goldens, gl_backend: GlBackend
-) -> None:
+def test_gl_agrees_with_processing(scene: Scene, goldens: Goldens, gl_backend: GlBackend) -> None:
     picture = render(scene, gl_backend)
 
     goldens.check_near(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from sketchkit.api._parts import Block, CanvasParts
+from sketchkit.api.pmatrix import PMatrix3D
 from sketchkit.core import constants as c
 from sketchkit.core import matrix as mat
 from sketchkit.core.errors import SketchError
@@ -226,6 +227,24 @@ class Camera(CanvasParts):
     def _flat_projection(self) -> mat.Mat4:
         """Return the projection of a flat canvas: a pixel is a pixel."""
         return mat.ortho(0.0, self._target.width, -self._target.height, 0.0, -1.0, 1.0)
+
+    def printCamera(self) -> None:
+        """Print the camera's matrix.
+
+        Examples
+        --------
+        >>> printCamera()  # doctest: +SKIP
+        """
+        PMatrix3D(*mat.to_mat4(self._camera)).print()
+
+    def printProjection(self) -> None:
+        """Print the projection's matrix.
+
+        Examples
+        --------
+        >>> printProjection()  # doctest: +SKIP
+        """
+        PMatrix3D(*self._stage.projection).print()
 
     def hint(self, which: int) -> None:
         """Switch a feature on or off, by a constant such as DISABLE_DEPTH_TEST.

@@ -49,7 +49,7 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         self._stage = Stage(
             self._target,
             is_3d=is_3d,
-            centers_strokes=renderer_name in (JAVA2D, FX2D),
+            is_java2d=renderer_name in (JAVA2D, FX2D),
             is_perspective=is_3d,
             depth_test=is_3d,
         )

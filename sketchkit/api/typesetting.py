@@ -8,7 +8,7 @@ from dataclasses import replace
 from sketchkit.api._parts import CanvasParts
 from sketchkit.api.pfont import PFont
 from sketchkit.api.style import check_choice
-from sketchkit.assets.fonts import FONT_FILES, Face, design_size, face, find_face
+from sketchkit.assets.fonts import FONT_FILES, Face, design_size, find_face, fonts_of
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, shown
 from sketchkit.core.notices import warn_once
@@ -83,7 +83,8 @@ class Typesetting(CanvasParts):
     def _set_face(self) -> Face:
         """Return the face that text is set in, at its size."""
         typography = self._typeset()
-        return face(typography.face, typography.design_size, typography.size)
+        fonts = fonts_of(self._renderer)
+        return fonts.face(typography.face, typography.design_size, typography.size)
 
     def textAlign(self, alignX: int, alignY: int = c.BASELINE) -> None:
         """Set which point of a text its x and y are.

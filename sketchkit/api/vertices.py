@@ -37,6 +37,8 @@ KINDS = {
     c.LINE_STRIP: "LINE_STRIP",
     c.LINE_LOOP: "LINE_LOOP",
 }
+# The names of single shapes stand for those of many, as in Processing.
+KIND_OF = {c.TRIANGLE: c.TRIANGLES, c.QUAD: c.QUADS, c.LINE: c.LINES, c.POINT: c.POINTS}
 CLOSE_MODES = {c.CLOSE: "CLOSE"}
 VERTEX_USAGE = "x, y [, z] | x, y, u, v | x, y, z, u, v"
 
@@ -74,6 +76,7 @@ class Vertices(CanvasParts):
         >>> vertex(80, 80)
         >>> endShape()
         """
+        kind = KIND_OF.get(kind, kind)
         check_choice("beginShape", kind, KINDS)
         if self._shape is not None:
             raise SketchError(

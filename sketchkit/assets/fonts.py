@@ -6,6 +6,8 @@ default face comes out as Processing's to the last bit.
 
 from __future__ import annotations
 
+import os
+import weakref
 from functools import cached_property, lru_cache
 from importlib.resources import files
 from pathlib import Path
@@ -25,7 +27,8 @@ if TYPE_CHECKING:
 
 FONT_FILES = (".ttf", ".otf", ".ttc")
 LARGEST = 512  # px; the shapes of larger text are made at this size, and enlarged
-MOST_LINES = 4096  # lines whose layout is kept, for each face and size
+MOST_FACES = 256  # that are kept; a sketch may set text in a new size in each frame
+MOST_LINES = 4096  # whose layout is kept, for each face
 WITHOUT_WIDTH = frozenset("\t\r\n\u2028\u2029")  # Java gives them neither width nor shape
 
 
@@ -54,11 +57,11 @@ class Quad(NamedTuple):
 
 
 class Line(NamedTuple):
-    """Text laid out: its width in pixels, its letters, and the atlas when they were laid out."""
+    """Text laid out: its width in pixels, its letters, and how large the atlas was then."""
 
     width: float
     quads: tuple[Quad, ...]
-    pixels: Pixels
+    growths: int
 
 
 class Shape(NamedTuple):
@@ -69,6 +72,9 @@ class Shape(NamedTuple):
     top: int
 
 
+BLANK = Shape(np.zeros((1, 1), np.uint8), 0, 0)
+
+
 class Face:
     """A face whose letters were drawn at one size, `made_at`, and that is set in another.
 
@@ -76,10 +82,11 @@ class Face:
     that was made for the size.
     """
 
-    def __init__(self, path: str, made_at: int, size: float) -> None:
+    def __init__(self, path: str, made_at: int, size: float, atlas: GlyphAtlas) -> None:
         self._path = path
         self._made_at = made_at
         self._size = size
+        self._atlas = atlas
         self._advances: dict[str, float] = {}
         self._lines: dict[str, Line] = {}
 
@@ -111,28 +118,31 @@ class Face:
     def line(self, text: str) -> Line:
         """Return text laid out; the letters are in the atlas afterwards."""
         line = self._lines.get(text)
-        if line is None or line.pixels is not ATLAS.pixels:
+        if line is None or line.growths != self._atlas.growths:
+            self._place_letters(text)
             line = self._lay_out(text)
-            if line.quads and line.quads[0].pixels is not line.pixels:  # the atlas grew meanwhile
-                line = self._lay_out(text)
             if len(self._lines) >= MOST_LINES:
                 self._lines.clear()
             self._lines[text] = line
         return line
 
+    def _place_letters(self, text: str) -> None:
+        for character in text:
+            self._atlas.place(character, self._shape(character).mask)
+
     def _lay_out(self, text: str) -> Line:
         quads = []
         pen = 0.0
         for character in text:
-            if self._shape(character).mask.size:
+            if self._shape(character) is not BLANK:
                 quads.append(self._quad(character, pen))
             pen += self.advance(character)
-        return Line(pen, tuple(quads), ATLAS.pixels)
+        return Line(pen, tuple(quads), self._atlas.growths)
 
     def _quad(self, character: str, pen: float) -> Quad:
         mask, left, top = self._shape(character)
-        column, row = ATLAS.place((self._path, self._made_at, character), mask)
-        pixels = ATLAS.pixels
+        image, column, row = self._atlas.place(character, mask)
+        pixels = self._atlas.image(image)
         height, width = mask.shape
         x, y = pen + self._scaled(left), self._scaled(top)
         return Quad(
@@ -149,13 +159,34 @@ class Face:
         return _draw(self._path, self._made_at, character)
 
 
-ATLAS = GlyphAtlas()  # one for all faces, sizes and canvases: text is drawn in one go
+class Fonts:
+    """The faces of one sketch, and the images in which their letters lie."""
+
+    def __init__(self) -> None:
+        self._atlases: dict[tuple[str, int], GlyphAtlas] = {}
+        self._faces: dict[tuple[str, int, float], Face] = {}
+
+    def face(self, path: str, made_at: int, size: float) -> Face:
+        """Return a face, drawn and set at sizes in pixels; "" is the path of the default face."""
+        key = path, made_at, size
+        found = self._faces.get(key)
+        if found is None:
+            if len(self._faces) >= MOST_FACES:
+                self._faces.clear()
+            atlas = self._atlases.setdefault((path, made_at), GlyphAtlas(made_at))
+            found = self._faces[key] = Face(path, made_at, size, atlas)
+        return found
 
 
-@lru_cache(maxsize=256)
-def face(path: str, made_at: int, size: float) -> Face:
-    """Return a face, drawn and set at sizes in pixels; "" is the path of the default face."""
-    return Face(path, made_at, size)
+_fonts: weakref.WeakKeyDictionary[object, Fonts] = weakref.WeakKeyDictionary()
+
+
+def fonts_of(owner: object) -> Fonts:
+    """Return the fonts of a sketch, `owner` being its renderer.
+
+    Each has its own, so that its pictures do not depend on what else was drawn in the process.
+    """
+    return _fonts.setdefault(owner, Fonts())
 
 
 def design_size(size: float) -> int:
@@ -179,22 +210,24 @@ def find_face(caller: str, filename: str) -> str:
 @lru_cache(maxsize=8192)
 def _draw(path: str, size: int, character: str) -> Shape:
     """Return the shape of a letter."""
-    empty = np.zeros((0, 0), np.uint8)
     if character in WITHOUT_WIDTH:
-        return Shape(empty, 0, 0)
+        return BLANK
     drawn, (left, top) = _open(path, size).getmask2(character, mode="L", anchor="ls")
     width, height = drawn.size
     mask = np.frombuffer(bytes(drawn), np.uint8).reshape(height, width)
     # Where its edge lies shows when it is enlarged: at the first pixel that is covered at all.
     rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
     if not len(rows):
-        return Shape(empty, 0, 0)
+        return BLANK
     tight = mask[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
     return Shape(tight[:, :MOST_COLUMNS], left + int(columns[0]), top + int(rows[0]))
 
 
 @lru_cache(maxsize=256)
 def _open(path: str, size: float) -> ImageFont.FreeTypeFont:
+    # The older way of reading hints is Java's; only thus are % and " the same to the last bit. It
+    # has to be chosen before FreeType is loaded.
+    os.environ.setdefault("FREETYPE_PROPERTIES", "truetype:interpreter-version=35")
     from PIL import ImageFont  # 40 ms to import, and most sketches write nothing
 
     try:

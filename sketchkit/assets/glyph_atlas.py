@@ -1,4 +1,4 @@
-"""GlyphAtlas: the shapes of letters side by side in one image, so that a page is one draw."""
+"""GlyphAtlas: the shapes of letters side by side in images, so that a page is one draw."""
 
 from __future__ import annotations
 
@@ -9,73 +9,85 @@ import numpy as np
 from sketchkit.draw.resources import Pixels
 from sketchkit.draw.vertex import U8
 
-WIDTH = 1024
-FIRST_HEIGHT = 128
-MOST_HEIGHT = 4096  # 16 MB; when it is full, an empty one takes its place
-GAP = 1  # clear pixels on each side, for letters between pixels take some of what is beside them
-MOST_COLUMNS = WIDTH - 2 * GAP  # of one mask
+# Text that is drawn smaller than it was made takes the means of neighbouring pixels, and so it
+# shows where letters lie. These are Processing's rules, and its numbers.
+SIDE = 1024  # of a full image
+FIRST_HEIGHT = 256
+GAP = 1  # clear pixels on each side of a letter
 
-Key = tuple[str, int, str]  # file, size, character
+MOST_COLUMNS = SIDE - 2 * GAP  # of one mask
 
 
 class Place(NamedTuple):
-    """Where a mask lies in the atlas."""
+    """Where a mask lies: which image, and where in it."""
 
+    image: int
     column: int
     row: int
 
 
 class GlyphAtlas:
-    """White images whose alpha is how much of each pixel a letter covers.
+    """Images in which letters are white, and alpha is how much of each pixel they cover.
 
-    Masks are put in rows from the top, each row as high as its highest mask. A fuller atlas is a
-    new image twice as high, in which all keep their places; what was recorded with the old image
-    goes on using that.
+    Masks are put side by side in the order of their use, in rows from the top, each row as high
+    as its highest mask. When an image is full, one twice as high takes its place, in which all
+    masks stay where they are; what was recorded with the old one goes on using that. When it is
+    as high as wide, another one is begun.
 
     Attributes
     ----------
-    pixels : Pixels
-        The newest image.
+    growths : int
+        How often an image was replaced: from then on its letters have other coordinates, 0..1.
     """
 
-    def __init__(self) -> None:
-        self._begin()
+    def __init__(self, first_height: int = FIRST_HEIGHT) -> None:
+        self.growths = 0
+        self._first_height = max(first_height, FIRST_HEIGHT)
+        self._images = [_empty(self._first_height)]
+        self._places: dict[str, Place] = {}
+        self._column = self._row = self._row_height = 0
 
-    def _begin(self) -> None:
-        self.pixels = _empty(FIRST_HEIGHT)
-        self._places: dict[Key, Place] = {}
-        self._next = Place(0, 0)
-        self._row_height = 0
-
-    def place(self, key: Key, mask: U8) -> Place:
+    def place(self, name: str, mask: U8) -> Place:
         """Return where a mask lies, (h, w) uint8; it is put in if it is not there yet."""
-        return self._places.get(key) or self._add(key, mask)
+        return self._places.get(name) or self._add(name, mask)
 
-    def _add(self, key: Key, mask: U8) -> Place:
-        height, width = (size + 2 * GAP for size in mask.shape)
-        self._make_room(width, height)
-        column, row = self._next.column + GAP, self._next.row + GAP
-        self.pixels.data[row : row + mask.shape[0], column : column + mask.shape[1], 3] = mask
-        self.pixels.version += 1
-        self._next = Place(self._next.column + width, self._next.row)
-        self._row_height = max(self._row_height, height)
-        self._places[key] = Place(column, row)
-        return self._places[key]
+    def image(self, number: int) -> Pixels:
+        """Return an image as it is now."""
+        return self._images[number]
+
+    def _add(self, name: str, mask: U8) -> Place:
+        height, width = mask.shape
+        self._make_room(width + 2 * GAP, height + 2 * GAP)
+        place = Place(len(self._images) - 1, self._column + GAP, self._row + GAP)
+        image = self._images[-1]
+        image.data[self._row :, self._column :][: height + 2 * GAP, : width + 2 * GAP, :3] = 255
+        image.data[place.row :, place.column :][:height, :width, 3] = mask
+        image.version += 1
+        self._column += width + 2 * GAP
+        self._places[name] = place
+        return place
 
     def _make_room(self, width: int, height: int) -> None:
-        """Have the next place leave so much room to its right and below."""
-        if self._next.column + width > WIDTH:
-            self._next = Place(0, self._next.row + self._row_height)
-            self._row_height = 0
-        if self._next.row + height > MOST_HEIGHT:
-            self._begin()
-        while self._next.row + height > self.pixels.height:
-            larger = _empty(2 * self.pixels.height)
-            larger.data[: self.pixels.height] = self.pixels.data
-            self.pixels = larger
+        """Have so much room to the right of and below the next place."""
+        if self._column + width > SIDE:
+            self._column = 0
+            self._row += self._row_height  # the highest so far: later rows are not lower, either
+        self._row_height = max(self._row_height, height)
+        while self._row + self._row_height > self._images[-1].height:
+            if self._images[-1].height >= SIDE:
+                self._images.append(_empty(self._first_height))
+                self._column = self._row = 0
+                self._row_height = height
+            else:
+                self._grow()
+
+    def _grow(self) -> None:
+        old = self._images[-1]
+        larger = _empty(2 * old.height)
+        larger.data[: old.height] = old.data
+        self._images[-1] = larger
+        self.growths += 1
 
 
 def _empty(height: int) -> Pixels:
-    data = np.full((height, WIDTH, 4), 255, np.uint8)
-    data[..., 3] = 0
-    return Pixels(data, mipmaps=False)
+    return Pixels(np.zeros((height, SIDE, 4), np.uint8))

@@ -11,13 +11,14 @@ from typing import NamedTuple
 import click
 from rich.console import Console
 from rich.table import Table
+from rich.text import Text
 
 from sketchkit import __version__
-from sketchkit.assets.fonts import face
 from sketchkit.core.errors import SketchError
 from sketchkit.draw.backend import Backend
 from sketchkit.runtime.backends import RendererError, open_backend
 from sketchkit.runtime.window import Window, WindowError
+from sketchkit.stubs import blank_canvas
 
 
 class Finding(NamedTuple):
@@ -39,12 +40,12 @@ WINDOW_ADVICE = "sketchkit render works without. On a server: xvfb-run sketchkit
 @click.command(name="doctor")
 def command() -> None:
     """Say what works on this computer: OpenGL, windows, fonts, packages."""
-    table = Table(box=None, pad_edge=False)
-    for title in ("", "", "found", "what to do"):
-        table.add_column(title, overflow="fold")
+    table = Table(box=None, pad_edge=False, show_header=False)
     for finding in findings():
         mark = "[green]yes[/]" if finding.works else "[red]no[/]"
-        table.add_row(mark, finding.what, finding.seen, finding.advice)
+        table.add_row(mark, finding.what, Text(finding.seen))
+        if finding.advice and not finding.works:
+            table.add_row("", "", Text(finding.advice, style="yellow"))
     Console().print(table)
 
 
@@ -84,8 +85,7 @@ def _described(backend: Backend) -> str:
 
 def _osmesa() -> Finding:
     library = ctypes.util.find_library("OSMesa")
-    advice = "" if library else OSMESA_ADVICE
-    return Finding("OSMesa", bool(library), library or "not installed", advice)
+    return Finding("OSMesa", bool(library), library or "not installed", OSMESA_ADVICE)
 
 
 def _window() -> Finding:
@@ -98,7 +98,7 @@ def _window() -> Finding:
 
 def _font() -> Finding:
     try:
-        width = face("", 12).width("Hello")
+        width = blank_canvas().textWidth("Hello")
     except (SketchError, ModuleNotFoundError) as reason:
         return Finding("default font", False, str(reason), "pip install font-source-sans-pro")
     return Finding("default font", True, f"Source Sans Pro ('Hello' is {width:g} wide)")

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import importlib
+from typing import NamedTuple
 
 import click
 
 from sketchkit import __version__
 
+
+class Entry(NamedTuple):
+    """Where a command is, and what it is for."""
+
+    module: str
+    summary: str
+
+
 COMMANDS = {
-    "run": "sketchkit.cli.run",
-    "render": "sketchkit.cli.render",
-    "new": "sketchkit.cli.new",
-    "doctor": "sketchkit.cli.doctor",
-    "trace": "sketchkit.cli.trace",
+    "run": Entry("sketchkit.cli.run", "Show a sketch in a window."),
+    "render": Entry("sketchkit.cli.render", "Write pictures of a sketch's frames."),
+    "new": Entry("sketchkit.cli.new", "Make a folder for a new sketch."),
+    "doctor": Entry("sketchkit.cli.doctor", "Say what works on this computer."),
+    "trace": Entry("sketchkit.cli.trace", "Print what a frame draws, as text."),
 }
 
 FIRST_STEPS = """\
@@ -46,8 +55,13 @@ class LazyGroup(click.Group):
         """Return a command, from its file."""
         if cmd_name not in COMMANDS:
             return None
-        command: click.Command = importlib.import_module(COMMANDS[cmd_name]).command
+        command: click.Command = importlib.import_module(COMMANDS[cmd_name].module).command
         return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the table, without reading the files."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, entry.summary) for name, entry in COMMANDS.items()])
 
 
 @click.group(
@@ -60,7 +74,8 @@ class LazyGroup(click.Group):
 def main(context: click.Context) -> None:
     """Draw with Python, as Processing does.
 
-    A sketch is a Python file with setup() and draw(); it needs no imports.
+    A sketch is a Python file with setup() and draw(); it needs no imports. Begin with
+    sketchkit new NAME, or with sketchkit alone for a first example.
     """
     if context.invoked_subcommand is None:
         click.echo(FIRST_STEPS, nl=False)

@@ -193,7 +193,10 @@ def _add_solids(
 
 def _expand_images(rows: Rows, at: I64, out: Expansion) -> None:
     """Images: the tint is in the place of the stroke, the texture in that of the link."""
-    x1, y1, x2, y2, u1, v1, u2, v2 = rows.numbers[at].T
+    numbers = rows.numbers[at]
+    java2d = rows.is_java2d[rows.states[at]][:, None]
+    x1, y1, x2, y2 = np.where(java2d, np.trunc(numbers[:, :4]), numbers[:, :4]).T
+    u1, v1, u2, v2 = numbers[:, 4:].T
     x, y = np.stack([x1, x1, x2, x2], axis=1), np.stack([y1, y2, y2, y1], axis=1)
     u, v = np.stack([u1, u1, u2, u2], axis=1), np.stack([v1, v2, v2, v1], axis=1)
     textures = [rows.recorder.textures[link] for link in rows.links[at]]

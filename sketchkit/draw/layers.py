@@ -15,6 +15,7 @@ from sketchkit.draw.vertex import Materials, VertexBlock
 
 I64 = NDArray[np.int64]
 U8 = NDArray[np.uint8]
+U32 = NDArray[np.uint32]
 
 
 def unpack_argb(colors: I64) -> U8:
@@ -28,7 +29,7 @@ class LayerPieces:
 
     def __init__(self) -> None:
         self.columns: dict[str, list[NDArray[np.generic]]] = {}
-        self.indices: list[I64] = []  # (n, 3t) each: the corners of each piece's triangles
+        self.indices: list[U32] = []  # (n, 3t) each: the corners of each piece's triangles
         self.keys: list[I64] = []  # (n,) each: where in the order each piece comes
         self.textures: list[list[Pixels] | None] = []
         self.vertex_count = 0
@@ -46,13 +47,15 @@ class LayerPieces:
             full = np.broadcast_to(column, (count, corners, *column.shape[2:]))
             flat = full.reshape(count * corners, *column.shape[2:])
             self.columns.setdefault(name, []).append(flat)
-        first = self.vertex_count + corners * np.arange(count)
-        self.indices.append(first[:, None] + triangles.ravel())
+        first = np.uint32(self.vertex_count) + np.arange(count, dtype=np.uint32) * np.uint32(
+            corners
+        )
+        self.indices.append(first[:, None] + triangles.ravel().astype(np.uint32))
         self.keys.append(keys)
         self.textures.append(textures)
         self.vertex_count += count * corners
 
-    def in_order(self) -> tuple[I64, I64, I64, list[Pixels | None] | None]:
+    def in_order(self) -> tuple[U32, I64, I64, list[Pixels | None] | None]:
         """Return indices in drawing order, and of each piece in that order: key, end, texture."""
         keys = np.concatenate(self.keys)
         sizes = np.concatenate([np.full(len(part), part.shape[1]) for part in self.indices])
@@ -63,7 +66,7 @@ class LayerPieces:
             order = np.argsort(keys, kind="stable")
             starts = np.empty(len(keys), np.int64)
             starts[order] = np.cumsum(sizes[order]) - sizes[order]
-            indices = np.empty(int(sizes.sum()), np.int64)
+            indices = np.empty(int(sizes.sum()), np.uint32)
             done = 0
             for part in self.indices:
                 mine = starts[done : done + len(part)]
@@ -77,7 +80,7 @@ class LayerPieces:
             textures = [every[i] for i in order]
         return indices, keys[order], np.cumsum(sizes[order]), textures
 
-    def block(self, indices: I64) -> VertexBlock:
+    def block(self, indices: U32) -> VertexBlock:
         """Return the vertices with indices put in order."""
         joined = {
             name: parts[0] if len(parts) == 1 else np.concatenate(parts)
@@ -88,7 +91,7 @@ class LayerPieces:
             names = ("ambient", "specular", "emissive", "shininess")
             materials = Materials(*(joined.pop(name) for name in names))  # type: ignore[arg-type] # columns are of one dtype each
         return VertexBlock(
-            indices=indices.astype(np.uint32),
+            indices=indices,
             materials=materials,
             **joined,  # type: ignore[arg-type] # ditto
         )

@@ -131,12 +131,12 @@ def _rows_agree(rows: I64, fits: Bool) -> Bool:
 
 def _shift(rows: Rows, at: I64, x: F32, y: F32) -> F32 | None:
     """Return by how much outlines that begin at x, y, (n,), are moved to the middle of a pixel."""
-    centers = rows.centers_strokes[rows.states[at]]
-    if not centers.any():
+    moves = rows.is_java2d[rows.states[at]]
+    if not moves.any():
         return None
     eye_x, eye_y, _ = rows.transform(at, x[:, None], y[:, None], ZERO)
     start = np.concatenate([eye_x, eye_y], axis=1)
-    return np.where(centers[:, None], np.floor(start) + MIDDLE - start, 0)
+    return np.where(moves[:, None], np.floor(start) + MIDDLE - start, 0)
 
 
 def _stroke_fills(rows: Rows, outlines: Outlines, pieces: Pieces, triangles: I64) -> Fills:

@@ -71,15 +71,15 @@ class Rows:
         return np.cbrt(np.abs(determinants)).astype(np.float32)
 
     @cached_property
-    def centers_strokes(self) -> Bool:
-        """Whether each state moves outlines to the middle of pixels, (s,)."""
-        return self.of_states(lambda state: self.stages[state].centers_strokes, np.bool_)
+    def is_java2d(self) -> Bool:
+        """Whether each state follows JAVA2D, (s,)."""
+        return self.of_states(lambda state: self.stages[state].is_java2d, np.bool_)
 
     @cached_property
     def can_snap(self) -> Bool:
         """Whether each state moves aligned shapes to whole pixels, (s,): P2D without rotation."""
         turned: Bool = np.abs(self.matrices[:, [1, 4]]).max(axis=1, initial=0) >= ALMOST_ZERO
-        return ~self.is_3d & ~turned
+        return ~self.is_3d & ~turned & ~self.is_java2d
 
     @cached_property
     def normals(self) -> F32:
@@ -117,6 +117,8 @@ class Rows:
     def on_screen(self, at: I64, x: F32, y: F32) -> tuple[F32, F32]:
         """Return pixels on the canvas of points with z = 0 of the rows `at`, (n,) each."""
         ex, ey, ez = (value[:, 0] for value in self.transform(at, x[:, None], y[:, None], ZERO))
+        if not self.is_3d[self.states[at]].any():
+            return ex, ey
         sx, sy = ex.copy(), ey.copy()
         stages = [self.stages[state] for state in self.states[at]]
         solid = np.array([stage.is_3d for stage in stages], np.bool_)

@@ -21,15 +21,16 @@ class Stage:
     ----------
     is_3d : bool
         Whether strokes face the viewer (P3D) or are outlines in the plane (P2D).
-    centers_strokes : bool
-        Whether an outline begins at the middle of a pixel, as in JAVA2D.
+    is_java2d : bool
+        Whether it follows JAVA2D: outlines begin at the middle of a pixel, fills are not moved to
+        whole pixels, and corners of images are cut off to whole numbers.
     lights : LightRig or None
         None is unlit; an empty rig is lit by nothing.
     """
 
     target: Target
     is_3d: bool = False
-    centers_strokes: bool = False
+    is_java2d: bool = False
     projection: Mat4 = IDENTITY4
     is_perspective: bool = True
     blend: Blend = Blend.BLEND

@@ -121,6 +121,8 @@ class Program:
             Whatever they raise.
         """
         self.source.refuse_hidden_modules()
+        for line, text in self.source.remarks:
+            self._tell(self.source.path, line, text)
         if self.source.begins_without_smoothing():
             self.sketch.start_without_smoothing()
         exec(self.source.code, self.namespace)

@@ -72,7 +72,6 @@ class Loop:
         is_drawing = self.is_drawing
         if not (is_drawing or self._events):
             return False
-        self._canvas.begin_frame()
         try:
             if is_drawing:
                 self._draw()
@@ -91,6 +90,7 @@ class Loop:
     def _draw(self) -> None:
         pointer = self._sketch.pointer
         self._progress.frame_count += 1
+        self._canvas.begin_frame()
         pointer.previous_x, pointer.previous_y = pointer.drawn_x, pointer.drawn_y
         self.program.call("draw")
         pointer.drawn_x, pointer.drawn_y = pointer.x, pointer.y

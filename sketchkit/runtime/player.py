@@ -43,8 +43,8 @@ class Screen(Host, Protocol):
         """Return what has happened, at the latest after a while."""
         ...
 
-    def pace(self, frames_per_second: float) -> float:
-        """Prepare for so many frames a second; return how many the player shall aim for."""
+    def pace(self, frames_per_second: float) -> None:
+        """Prepare to show so many frames a second."""
         ...
 
     def show(self, target: Target) -> None:
@@ -136,7 +136,8 @@ class Player:
             self._show_picture()
             if not is_new:
                 continue
-            due_s = max(due_s + 1 / self._screen.pace(progress.wanted_rate), now_s)
+            self._screen.pace(progress.wanted_rate)
+            due_s = max(due_s + 1 / progress.wanted_rate, now_s)
             progress.measured_rate = _smoothed(progress.measured_rate, now_s - last_s)
             last_s = now_s
         return Ending.CLOSED

@@ -194,29 +194,33 @@ def _position(frame: FrameType, instruction: int) -> Position | None:
 
 def _calls(steps: list[Step]) -> Iterator[str]:
     """Yield where each function was called from, innermost first."""
-    pairs = [
-        (caller, called)
+    calls = [
+        f"{called.frame.f_code.co_name}() was called at "
+        f"{Path(caller.frame.f_code.co_filename).name}, line {caller.line}"
         for caller, called in itertools.pairwise(steps)
         if not called.frame.f_code.co_name.startswith("<")
     ]
-    for caller, called in reversed(pairs[-CALLS_SHOWN:]):
-        file = Path(caller.frame.f_code.co_filename).name
-        yield f"{called.frame.f_code.co_name}() was called at {file}, line {caller.line}"
-    if len(pairs) > CALLS_SHOWN:
-        yield f"... and {len(pairs) - CALLS_SHOWN} calls before that"
+    groups = [(call, len(list(same))) for call, same in itertools.groupby(reversed(calls))]
+    for call, count in groups[:CALLS_SHOWN]:
+        yield f"{call}, {count} times" if count > 1 else call
 
 
 def _syntax_report(error: SyntaxError, path: Path, trace: str) -> Report:
     file = Path(error.filename) if error.filename else path
-    first = (error.offset or 1) - 1
-    is_one_line = error.end_lineno in (None, error.lineno) and error.end_offset
-    end = error.end_offset - 1 if is_one_line and error.end_offset else first
-    text = error.text or ""
     return Report(
         explain_syntax(error),
         file,
         error.lineno or 0,
-        text,
-        (first, max(end, first + 1)),
+        error.text or "",
+        _syntax_columns(error),
         traceback=trace,
     )
+
+
+def _syntax_columns(error: SyntaxError) -> tuple[int, int]:
+    if isinstance(error, IndentationError) or not error.offset:
+        return 0, 0
+    first = error.offset - 1
+    is_one_line = error.end_lineno in (None, error.lineno)
+    end = error.end_offset - 1 if is_one_line and error.end_offset else first
+    return first, max(end, first + 1)

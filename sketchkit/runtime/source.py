@@ -6,8 +6,9 @@ import ast
 import io
 import sys
 import tokenize
+import warnings
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from types import CodeType
@@ -60,10 +61,13 @@ class Source:
         Absolute.
     data : bytes
         As it is on disk: Python itself sees to byte order marks, CRLF and `coding:` lines.
+    remarks : list of (line, text)
+        What Python finds strange in it.
     """
 
     path: Path
     data: bytes
+    remarks: list[tuple[int, str]] = field(default_factory=list, compare=False)
 
     @classmethod
     def read(cls, path: Path) -> Source:
@@ -89,12 +93,16 @@ class Source:
     def lines(self) -> list[str]:
         """The text, line by line."""
         encoding, _ = tokenize.detect_encoding(io.BytesIO(self.data).readline)
-        return self.data.decode(encoding).splitlines()
+        return self.data.decode(encoding, errors="replace").splitlines()
 
     @cached_property
     def code(self) -> CodeType:
         """What Python runs."""
-        return compile(self.tree, str(self.path), "exec", dont_inherit=True)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            code = compile(self.tree, str(self.path), "exec", dont_inherit=True)
+        self.remarks.extend((warning.lineno, f"{warning.message}") for warning in caught)
+        return code
 
     def begins_without_smoothing(self) -> bool:
         """Tell whether the sketch asks for hard edges at its beginning.

@@ -25,9 +25,6 @@ CURSORS = {
     TEXT: glfw.IBEAM_CURSOR,
     WAIT: glfw.ARROW_CURSOR,  # GLFW has no clock
 }
-# A display that makes us wait for it sets the pace; ours is a little higher, for drivers that
-# claim to and do not.
-MARGIN = 1.05
 
 
 class WindowError(Exception):
@@ -105,14 +102,13 @@ class Window:
         events, self._events = self._events, []
         return events
 
-    def pace(self, frames_per_second: float) -> float:
-        """Wait for the display if it is no faster than the sketch; return what to aim for."""
+    def pace(self, frames_per_second: float) -> None:
+        """Wait for the display from now on, if it is no faster than the sketch."""
         mode = glfw.get_video_mode(glfw.get_primary_monitor())
         waits = bool(mode and frames_per_second >= mode.refresh_rate - 1)
         if waits != self._interval:
             glfw.swap_interval(int(waits))
             self._interval = waits
-        return frames_per_second * MARGIN if waits else frames_per_second
 
     def show(self, target: Target) -> None:
         """Show a picture."""

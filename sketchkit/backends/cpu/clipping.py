@@ -28,14 +28,14 @@ def clip_triangles(corners: F32) -> F32:
     `corners` is (n, 3, 4 + k): clip space, and what else is interpolated. A triangle that a side
     cuts becomes a fan of up to seven.
     """
-    distances = np.stack([_distance(corners, side) for side in SIDES], axis=2)
-    outside: Mask = np.less(distances, 0)  # (n, 3, sides)
-    crossed: Mask = outside.any(axis=1)  # (n, sides)
-    if not crossed.any() and np.isfinite(corners[..., :4]).all():
+    outside = np.stack([_distance(corners, side) < 0 for side in SIDES], axis=2)
+    crossed: Mask = np.any(outside, axis=1)  # (n, sides)
+    is_sound = np.isfinite(corners[..., :4]).all(axis=(1, 2))
+    if not np.any(crossed) and np.all(is_sound):
         return corners
-    gone = outside.all(axis=1).any(axis=1) | ~np.isfinite(corners[..., :4]).all(axis=(1, 2))
-    whole = np.flatnonzero(~gone & ~crossed.any(axis=1))
-    cut = np.flatnonzero(~gone & crossed.any(axis=1))
+    in_part = is_sound & ~np.any(np.all(outside, axis=1), axis=1)
+    is_cut = np.any(crossed, axis=1)
+    whole, cut = np.flatnonzero(in_part & ~is_cut), np.flatnonzero(in_part & is_cut)
     pieces, owners = _fans(*_cut_polygons(corners[cut], crossed[cut]))
     order = np.argsort(np.concatenate([whole, cut[owners]]), kind="stable")
     in_view: F32 = np.concatenate([corners[whole], pieces])[order]

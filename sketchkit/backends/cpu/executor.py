@@ -52,7 +52,9 @@ class CpuBackend:
                 case Settle(target, how):
                     self._frame(target).settle(how)
                 case Draw(layer=layer):
-                    self._draw(command, commands.blocks[layer])
+                    # As on a graphics card: what is divided by 0 is infinite, or no number.
+                    with np.errstate(all="ignore"):
+                        self._draw(command, commands.blocks[layer])
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""

@@ -157,8 +157,14 @@ def window_of(pipeline: Pipeline) -> Window:
 
 def packed_depths(z: F32) -> I64:
     """Return depths, 0 (near) to 1, as `Frame.depths` has them, with 0 in the lower half."""
-    packed: I64 = np.rint(np.clip(z, 0, 1) * float(FARTHEST)).astype(np.int64) << 32
+    packed: I64 = np.rint(bounded(z) * float(FARTHEST)).astype(np.int64) << 32
     return packed
+
+
+def bounded(values: F32) -> F32:
+    """Return values with what is below 0 or above 1 moved there; what is no number becomes 0."""
+    between: F32 = np.minimum(np.fmax(values, 0), 1)
+    return between
 
 
 def _average(samples: U8) -> U8:

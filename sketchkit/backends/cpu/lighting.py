@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sketchkit.backends.cpu.columns import given
 from sketchkit.core.lights import Light, LightKind, LightRig
 from sketchkit.draw.vertex import F32, U8, VertexBlock
 
@@ -22,11 +23,9 @@ def light_vertices(block: VertexBlock, lights: LightRig) -> tuple[F32, F32]:
 
     Alpha is the fill's. With no light nothing but the emissive colour is left.
     """
-    if block.normals is None or block.materials is None:
-        raise ValueError("a lit draw needs normals and materials")
-    material = block.materials
-    vertices = _Surface(block.positions, block.normals, material.shininess)
-    ambient, sides = vertices.gather(lights)
+    material = given(block.materials)
+    surface = _Surface(block.positions, given(block.normals), material.shininess)
+    ambient, sides = surface.gather(lights)
     base = ambient * unit_colors(material.ambient[:, :3])
     base += unit_colors(material.emissive[:, :3])
     fill, specular = unit_colors(block.colors), unit_colors(material.specular[:, :3])
@@ -70,8 +69,7 @@ class _Surface:
         way = _rgb(light.position) - self.places
         distance = np.sqrt(_dot(way, way))
         constant, linear, quadratic = (np.float32(factor) for factor in light.falloff)
-        with np.errstate(divide="ignore"):
-            reach = np.float32(1) / (constant + linear * distance + quadratic * distance * distance)
+        reach = np.float32(1) / (constant + linear * distance + quadratic * distance * distance)
         return _unit(way), reach
 
     def _cone(self, light: Light) -> F32:
@@ -97,9 +95,8 @@ def _dot(a: F32, b: F32) -> F32:
 
 def _unit(vectors: F32) -> F32:
     """Return vectors of length 1; of the zero vector NaN, which `_facing` takes for dark."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        lengths: F32 = np.sqrt(_dot(vectors, vectors))
-        return vectors * (np.float32(1) / lengths)
+    lengths: F32 = np.sqrt(_dot(vectors, vectors))
+    return vectors * (np.float32(1) / lengths)
 
 
 def _rgb(three: tuple[float, float, float]) -> F32:

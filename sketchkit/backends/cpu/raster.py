@@ -118,15 +118,17 @@ def _edges(x: F64, y: F64) -> _Edges:
 
 
 def _runs(edges: _Edges, counts: I64, row: I64, places: F64) -> tuple[F64, F64]:
-    """Return where runs begin and end, (samples, m): whole numbers, or infinite."""
+    """Return where runs begin and end, (samples, m): whole numbers, or infinite.
+
+    A horizontal edge, a = 0, gives an infinity whose sign says on which side of it the row lies.
+    """
     y = row * float(SUBPIXELS)
     crossings = []
     for a, b, c in zip(*edges, strict=True):
         slope, shift = np.repeat(a, counts), np.repeat(b, counts)
         value = np.repeat(c, counts) + shift * y
         at_places = np.stack([value + (slope * px + shift * py) for px, py in places])
-        with np.errstate(divide="ignore"):
-            crossings.append(at_places / (slope * -SUBPIXELS))
+        crossings.append(at_places / (slope * -SUBPIXELS))
     first, middle, last = crossings
     is_left = np.repeat(edges.a[1] >= 0, counts)
     left = np.ceil(np.maximum(first, np.where(is_left, middle, -np.inf)))

@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sketchkit.backends.cpu.frames import bounded
 from sketchkit.backends.cpu.lighting import unit_colors
 from sketchkit.backends.cpu.textures import Texture
 from sketchkit.backends.cpu.triangles import I64, Numbers, Planes, Triangles
@@ -49,8 +50,11 @@ class Shading:
         """Return the colours of triangles at pixels of the frame, (k, 4)."""
         if self._texture is None and self._is_flat.all():
             return self._flat_colors.view(np.uint32)[triangle].view(np.uint8)
-        x, y = column + self._centre, row + self._centre
-        colors = self._interpolate(self._color_planes, triangle, x, y)
+        if self._is_flat.all():
+            colors = self._corners[0].take(triangle, axis=1)
+        else:
+            x, y = column + self._centre, row + self._centre
+            colors = self._interpolate(self._color_planes, triangle, x, y)
         if self._texture is not None:
             colors *= unit_colors(self._texels(self._texture, triangle, column, row))
         return as_rows(quantize(colors))
@@ -100,9 +104,9 @@ class Shading:
 
 
 def quantize(colors: F32) -> U8:
-    """Return colours 0..1 as 0..255; what is outside becomes the nearest, what is no number 0."""
-    bounded = np.minimum(np.fmax(colors, 0), 1)
-    return np.rint(bounded * np.float32(255)).astype(np.uint8)
+    """Return colours 0..1 as 0..255."""
+    whole: U8 = np.rint(bounded(colors) * np.float32(255)).astype(np.uint8)
+    return whole
 
 
 def as_rows(channels: U8) -> U8:

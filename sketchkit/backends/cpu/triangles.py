@@ -92,12 +92,11 @@ class Triangles:
         from_second_x, from_second_y = x[0] - x[1], y[0] - y[1]
         to_third_x, to_third_y = x[2] - x[0], y[2] - y[0]
         area = from_second_x * to_third_y - from_second_y * to_third_x
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            per_area = 1 / area
-            from_second, to_third = values[0] - values[1], values[2] - values[0]
-            per_x = from_second * (to_third_y * per_area) - to_third * (from_second_y * per_area)
-            per_y = to_third * (from_second_x * per_area) - from_second * (to_third_x * per_area)
-            return Planes(values[0] - (per_x * x[0] + per_y * y[0]), per_x, per_y)
+        per_area = 1 / area
+        from_second, to_third = values[0] - values[1], values[2] - values[0]
+        per_x = from_second * (to_third_y * per_area) - to_third * (from_second_y * per_area)
+        per_y = to_third * (from_second_x * per_area) - from_second * (to_third_x * per_area)
+        return Planes(values[0] - (per_x * x[0] + per_y * y[0]), per_x, per_y)
 
 
 def set_up(corners: F32, frame: Frame) -> Triangles:
@@ -113,7 +112,7 @@ def set_up(corners: F32, frame: Frame) -> Triangles:
     grid_x, grid_y = _to_grid(x), _to_grid(y)
     area = (grid_x[1] - grid_x[0]) * (grid_y[2] - grid_y[0])
     area -= (grid_x[2] - grid_x[0]) * (grid_y[1] - grid_y[0])
-    kept = np.flatnonzero(area)
+    kept = np.flatnonzero(np.abs(area) > 0)
     is_clockwise: NDArray[np.bool_] = area[kept] > 0
     first = np.where(is_clockwise, 1, 0)  # anticlockwise from there on
     order = np.stack([first, 1 - first, np.full_like(first, 2)]), kept

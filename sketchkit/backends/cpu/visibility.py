@@ -62,8 +62,10 @@ def _find_shown(spans: Iterator[Spans], triangles: Triangles, surface: Surface) 
     pipeline = surface.pipeline
     if pipeline.depth_test and pipeline.depth_write:
         return _find_nearest(spans, triangles, surface)
-    held = surface.window.part_of(surface.frame.depths) if pipeline.depth_test else None
-    return _find_last(spans, triangles, surface, held)
+    if pipeline.depth_test:
+        held = surface.window.part_of(surface.frame.depths).copy()
+        return _find_last(spans, triangles, surface, held)
+    return _find_last(spans, triangles, surface, None)
 
 
 def _find_last(

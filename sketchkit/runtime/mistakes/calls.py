@@ -8,10 +8,11 @@ import re
 from collections.abc import Callable
 from types import ModuleType
 
-from sketchkit.core.errors import shown, wrong_numbers
+from sketchkit.core.errors import shown
 from sketchkit.runtime.mistakes.mistake import KINDS, Explanation, Mistake, a_kind
 
-NUMERIC = {"float", "int", "bool"}
+NUMERIC = re.compile(r"(float|int|None|bool|[| ])+")  # annotations
+VARIABLE = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
 
 
 def explain_type(mistake: Mistake) -> Explanation | None:
@@ -106,19 +107,29 @@ def _takes(function: Callable[..., object]) -> str:
         return "takes other values."
     if not parameters:
         return "takes nothing between its brackets."
-    usage = usage_of(parameters)
-    if all(str(parameter.annotation) in NUMERIC for parameter in parameters):
-        return wrong_numbers("", (), usage).problem.removeprefix("() ")
-    numbers = wrong_numbers("", (), usage).problem.removeprefix("() ")
-    return re.sub(r"\bnumber(s?)\b", r"value\1", numbers, count=1)
+    needed = sum(p.default is p.empty and p.kind not in VARIABLE for p in parameters)
+    most = len(parameters)
+    if any(parameter.kind in VARIABLE for parameter in parameters):
+        count = f"at least {needed}"
+    else:
+        count = f"{needed}" if needed == most else f"{needed} to {most}"
+    is_numeric = all(_is_numeric(parameter) for parameter in parameters)
+    noun = "number" if is_numeric else "value"
+    return f"takes {count} {noun}{'s' * (count != '1')}: {_usage(parameters)}."
 
 
-def usage_of(parameters: list[inspect.Parameter]) -> str:
+def _is_numeric(parameter: inspect.Parameter) -> bool:
+    annotation = parameter.annotation
+    text = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
+    return bool(NUMERIC.fullmatch(text))
+
+
+def _usage(parameters: list[inspect.Parameter]) -> str:
     """Return names of parameters as messages write them: `x, y [, z]`."""
     usage = ""
     for parameter in parameters:
-        is_many = parameter.kind is parameter.VAR_POSITIONAL
-        name = f"{parameter.name}, ..." if is_many else parameter.name
+        is_many = parameter.kind in VARIABLE
+        name = f"{parameter.name} ..." if is_many else parameter.name
         is_optional = is_many or parameter.default is not parameter.empty
         separator = ", " if usage else ""
         usage += f" [{separator}{name}]" if is_optional else f"{separator}{name}"

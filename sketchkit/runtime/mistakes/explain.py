@@ -42,13 +42,16 @@ EXPLANATIONS: dict[type[BaseException], Callable[[Mistake], Explanation | None]]
     ZeroDivisionError: explain_division,
 }
 
+# What arguments that a function of sketchkit did not expect may raise in it.
+OF_ARGUMENTS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+
 
 def explain(mistake: Mistake) -> str:
     """Return what was wrong; in an indented line what was received and what to do about it."""
     error = mistake.error
     if isinstance(error, SketchError):
         return error.message
-    if mistake.is_inside and mistake.called:
+    if mistake.is_inside and mistake.called and isinstance(error, OF_ARGUMENTS):
         problem = f"{mistake.called}() cannot work with these values ({error})."
         return SketchError(problem, got=mistake.written(mistake.expression)).message
     for kind in type(error).__mro__:

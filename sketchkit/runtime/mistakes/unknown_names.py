@@ -7,6 +7,7 @@ import builtins
 import re
 import sys
 from collections.abc import Iterable, Iterator
+from types import ModuleType
 
 from sketchkit.core.errors import nearest
 from sketchkit.runtime.mistakes.mistake import Explanation, Mistake, a_kind
@@ -22,7 +23,7 @@ FOREIGN_WORDS = {
     "String": "str",
     "ArrayList": "list",
     "HashMap": "dict",
-    "Math": "sin(), cos(), sqrt() without Math.",
+    "Math": "sin(), cos(), sqrt(), without Math,",
     "System": "println()",
     "console": "println()",
     "xrange": "range",
@@ -39,7 +40,7 @@ def explain_name(mistake: Mistake) -> Explanation | None:
         return None
     problem = f"{name} is not defined."
     if name in FOREIGN_WORDS:
-        return Explanation(problem, f"Python writes {FOREIGN_WORDS[name]}")
+        return Explanation(problem, f"Write {FOREIGN_WORDS[name]} in Python.")
     functions = _functions_that_set(name, mistake)
     if functions:
         function = functions[0]
@@ -49,8 +50,7 @@ def explain_name(mistake: Mistake) -> Explanation | None:
         )
     if later := _line_below(name, mistake):
         return Explanation(f"{name} is not defined yet: it gets its value in line {later}.")
-    known = nearest(name, [*mistake.own, *_visible(mistake.names)])
-    return Explanation(problem, f"Do you mean {known}?" if known else None)
+    return Explanation(problem, _suggestion(name, [*_visible(mistake.names), *mistake.own]))
 
 
 def explain_unbound_local(mistake: Mistake) -> Explanation | None:
@@ -92,8 +92,11 @@ def explain_attribute(mistake: Mistake) -> Explanation | None:
     if name in FOREIGN_METHODS:
         hint = f"Python writes {FOREIGN_METHODS[name]}."
         return Explanation(f"{_the(owner)} has no {name}.", hint)
-    known = nearest(name, [other for other in dir(owner) if not other.startswith("_")])
-    return Explanation(f"{_the(owner)} has no {name}.", f"Do you mean {known}?" if known else None)
+    problem = f"{_the(owner)} has no {name}."
+    written = mistake.written(getattr(mistake.expression, "value", None))
+    if written in sys.stdlib_module_names and not isinstance(owner, ModuleType):
+        return Explanation(problem, f"For Python's module write import {written} at the beginning.")
+    return Explanation(problem, _suggestion(name, _visible(dir(owner))))
 
 
 # What Java writes behind a dot, and Python's way.
@@ -117,21 +120,25 @@ def explain_import(mistake: Mistake) -> Explanation | None:
     """Explain a module that is not there, or that lacks a name."""
     name = getattr(mistake.error, "name", None)
     if isinstance(mistake.error, ModuleNotFoundError) and isinstance(name, str):
-        known = nearest(name, [*sys.stdlib_module_names, "numpy"])
-        hint = f"Do you mean {known}?" if known else f"If it is a package: pip install {name}"
+        known = _suggestion(name, [*sys.stdlib_module_names, "numpy"])
         return Explanation(
-            f"There is no module {name}: no {name}.py beside the sketch, and none installed.", hint
+            f"There is no module {name}: no {name}.py beside the sketch, and none installed.",
+            known or f"If it is a package: pip install {name}",
         )
     found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", mistake.text)
     if not found:
         return None
     name, module = found.groups()
-    known = nearest(name, dir(sys.modules.get(module, object())))
-    if module == "sketchkit":
-        known = nearest(name, _visible(mistake.names))
-    return Explanation(
-        f"The module {module} has no {name}.", f"Do you mean {known}?" if known else None
-    )
+    known_names = mistake.names if module == "sketchkit" else dir(sys.modules.get(module))
+    problem = f"The module {module} has no {name}."
+    return Explanation(problem, _suggestion(name, _visible(known_names)))
+
+
+def _suggestion(name: str, known_names: Iterable[str]) -> str | None:
+    """Return the hint that names the nearest known name: a constant only for capitals."""
+    alike = sorted(known_names, key=lambda known: known.isupper() == name.isupper())
+    known = nearest(name, alike)
+    return f"Do you mean {known}?" if known else None
 
 
 def _functions_that_set(name: str, mistake: Mistake) -> list[str]:
