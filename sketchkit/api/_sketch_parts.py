@@ -11,7 +11,7 @@ from typing import Protocol
 from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.host import Host
 from sketchkit.core.clock import Clock
-from sketchkit.core.constants import P2D
+from sketchkit.core.constants import JAVA2D
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
 
@@ -40,7 +40,7 @@ class Canvas(Protocol):
         """Give the canvas another size; what was drawn is lost."""
         ...
 
-    def begin_frame(self) -> None:
+    def begin_frame(self, *, is_looping: bool = True) -> None:
         """Put back matrix, camera and lights."""
         ...
 
@@ -94,7 +94,7 @@ class Format:
 
     width: int = 100
     height: int = 100
-    renderer: str = P2D
+    renderer: str = JAVA2D
     smoothing: int = 2  # 0: one sample for each pixel; else SMOOTH_SAMPLES
 
 

@@ -81,7 +81,7 @@ class Environment(SketchParts):
         """
         self._must_come_before_draw("fullScreen", None)
         renderers = [value for value in which if isinstance(value, str)]
-        self._format.renderer = _known_renderer(renderers[0]) if renderers else P2D
+        self._format.renderer = _known_renderer(renderers[0]) if renderers else JAVA2D
         self._format.width, self._format.height = self._host.display_size
         self._reformat()
         self._host.set_fullscreen()

@@ -60,21 +60,25 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         self._pack_whole(Kind.CLEAR, BACKDROP)
         self._has_drawn = self._was_cleared = self._is_layered = False
 
-    def begin_frame(self) -> None:
-        """Put back what does not last from frame to frame: matrix, camera, lights, normal."""
+    def begin_frame(self, *, is_looping: bool = True) -> None:
+        """Put back what does not last from frame to frame: matrix, camera, lights, normal.
+
+        `is_looping` says whether `draw()` is called again and again.
+        """
         self._matrices.clear()
         self._normal = (0.0, 0.0, 1.0)
         self._light_falloff, self._light_specular = (1.0, 0.0, 0.0), (0.0, 0.0, 0.0)
         self._place_camera(self._default_camera())
         if self._stage.lights is not None:
             self._restage(lights=None)
-        self._settle()
+        self._settle(is_looping=is_looping)
 
-    def _settle(self) -> None:
+    def _settle(self, *, is_looping: bool) -> None:
         """Begin a frame over the old picture, as Processing does.
 
         It draws straight into the window as long as each frame begins with `background()`. After
-        the first frame without one it draws into a buffer of its own, which is rendered the other
+        the first frame without one, or after `noLoop()`, it draws into a buffer of its own, which
+        is rendered the other
         way up and begins each frame with the averaged old picture; at the change, each pixel has
         only one of its samples. That shows at edges, and so it is followed here.
         """
@@ -83,7 +87,7 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
             pass  # these draw into one image for ever
         elif self._is_layered:
             how = Settling.MEAN
-        elif self._has_drawn and not self._was_cleared:
+        elif (self._has_drawn and not self._was_cleared) or not is_looping:
             self._renderer.flush()
             self._target.turn_over()
             self._is_layered = True

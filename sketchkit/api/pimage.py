@@ -60,7 +60,7 @@ class PImage:
     def __init__(self, width: int, height: int, format: int = c.RGB) -> None:
         if format not in FORMATS:
             raise SketchError("An image's format is RGB, ARGB or ALPHA.", got=shown(format))
-        rows, columns = _whole("createImage", (height, width), "width, height")
+        columns, rows = _whole("createImage", (width, height), "width, height")
         if rows <= 0 or columns <= 0 or rows * columns > MOST_PIXELS:
             raise SketchError(
                 "An image is at least 1 pixel wide and high, and fits into memory.",
@@ -276,7 +276,10 @@ class PImage:
         >>> img.set(30, 30, color(255, 0, 0))
         >>> image(img, 20, 20)
         """
-        column, row = _whole("set", (x, y), "x, y, color")
+        try:
+            column, row = int(x + 0), int(y + 0)
+        except (TypeError, ValueError):
+            raise wrong_numbers("set", (x, y, value), "x, y, color") from None
         self._own.version += 1
         if isinstance(value, PImage):
             _paste(value._own.data, self._own.data, column, row)

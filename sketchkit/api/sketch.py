@@ -65,6 +65,7 @@ class Sketch(Environment, Looping, Input, Windows, Files, Randomness, Dates):
         self._random = JavaRandom(seed)
         self._noise = PerlinNoise(seed)
         self._publish = _nothing
+        self._reformat()
 
     def start_without_smoothing(self) -> None:
         """Begin as if `noSmooth()` had been called."""

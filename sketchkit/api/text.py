@@ -98,7 +98,8 @@ class Text(Typesetting, Images):
         ascent, descent, leading = self.textAscent(), self.textDescent(), typography.leading
         lines = wrap(written, right - left, self._set_face().width)
         height = bottom - top
-        del lines[max(0, 1 + math.floor((height - ascent - descent) / leading)) :]
+        if leading > 0:
+            del lines[max(0, 1 + math.floor((height - ascent - descent) / leading)) :]
         x = {LEFT: left, CENTER: left + (right - left) / 2, RIGHT: right}[typography.align_x]
         below_first = leading * (len(lines) - 1)
         y = top + ascent

@@ -14,16 +14,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sketchkit.assets.glyph_atlas import MOST_COLUMNS, GlyphAtlas
 from sketchkit.assets.paths import find_file
 from sketchkit.core.errors import SketchError
 from sketchkit.core.float32 import f32
 from sketchkit.draw.resources import Pixels
-from sketchkit.draw.vertex import U8
 
 if TYPE_CHECKING:
     from PIL import ImageFont
+
+U8 = NDArray[np.uint8]
 
 FONT_FILES = (".ttf", ".otf", ".ttc")
 LARGEST = 512  # px; the shapes of larger text are made at this size, and enlarged

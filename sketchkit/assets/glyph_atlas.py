@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sketchkit.draw.resources import Pixels
-from sketchkit.draw.vertex import U8
+
+U8 = NDArray[np.uint8]
 
 # Text that is drawn smaller than it was made takes the means of neighbouring pixels, and so it
 # shows where letters lie. These are Processing's rules, and its numbers.

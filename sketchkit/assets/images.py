@@ -10,14 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sketchkit.assets.paths import find_file
 from sketchkit.core.errors import SketchError
 from sketchkit.draw.resources import Pixels
-from sketchkit.draw.vertex import U8
 
 if TYPE_CHECKING:
     from PIL import Image
+
+U8 = NDArray[np.uint8]
 
 EXTENSIONS = {"png", "jpg", "jpeg", "gif", "bmp", "tga", "tif", "tiff", "webp"}
 

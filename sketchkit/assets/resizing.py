@@ -9,8 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.draw.vertex import U8
-
+U8 = NDArray[np.uint8]
 I32 = NDArray[np.int32]
 ONE = 1 << 32  # places in the source are fixed-point numbers with 32 bits after the point
 HALF = 1 << 23  # products and quotients have 24 bits after the point

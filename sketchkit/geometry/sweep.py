@@ -18,7 +18,7 @@ Corner = tuple[Place, int, bool]  # place, index, and whether it is on its regio
 Blend = tuple[tuple[int, ...], tuple[float, ...]]  # sources and weights of a new point
 
 
-class _Vertex:
+class Vertex:
     """A stop of the line, with the edges that end and begin there."""
 
     __slots__ = ("ending", "index", "place", "starting")
@@ -26,16 +26,16 @@ class _Vertex:
     def __init__(self, place: Place, index: int) -> None:
         self.place = place
         self.index = index
-        self.ending: list[_Edge] = []
-        self.starting: list[_Edge] = []
+        self.ending: list[Edge] = []
+        self.starting: list[Edge] = []
 
 
-class _Edge:
+class Edge:
     """An edge, from left to right; whoever crosses it upwards adds `winding`."""
 
     __slots__ = ("left", "region", "right", "winding")
 
-    def __init__(self, left: _Vertex, right: _Vertex, winding: int) -> None:
+    def __init__(self, left: Vertex, right: Vertex, winding: int) -> None:
         self.left = left
         self.right = right
         self.winding = winding
@@ -43,12 +43,13 @@ class _Edge:
         left.starting.append(self)
         right.ending.append(self)
 
-    def cut(self, vertex: _Vertex) -> None:
-        """End at `vertex`; the rest becomes an edge that begins there."""
+    def cut(self, vertex: Vertex) -> Edge:
+        """End at `vertex`; return the rest, an edge that begins there."""
         self.right.ending.remove(self)
-        _Edge(vertex, self.right, self.winding)
+        rest = Edge(vertex, self.right, self.winding)
         self.right = vertex
         vertex.ending.append(self)
+        return rest
 
     def drop(self) -> None:
         """Leave the graph."""
@@ -56,7 +57,7 @@ class _Edge:
         self.right.ending.remove(self)
 
 
-class _Region:
+class Region:
     """What lies between two neighbouring edges on the line.
 
     A region inside the polygon holds its corners so far, from left to right, twice the same list.
@@ -72,7 +73,7 @@ class _Region:
         self.upper = upper
 
 
-_OUTSIDE = _Region(0, [], [])
+_OUTSIDE = Region(0, [], [])
 
 
 class Sweep:
@@ -102,8 +103,8 @@ class Sweep:
         self.blends: list[Blend] = []
         self._first_free = first_free
         self._is_inside = is_inside
-        self._stops: list[tuple[Place, int, _Vertex]] = []  # the middle one: GLU's order of equals
-        self._line: list[_Edge] = []  # from the bottom up
+        self._stops: list[tuple[Place, int, Vertex]] = []  # the middle one: GLU's order of equals
+        self._line: list[Edge] = []  # from the bottom up
         for ring in rings:
             self._add_ring(ring)
         heapq.heapify(self._stops)
@@ -132,14 +133,14 @@ class Sweep:
         if len(corners) < 3:
             return
         corners.reverse()
-        vertices = [_Vertex(place, index) for place, index in corners]
+        vertices = [Vertex(place, index) for place, index in corners]
         for order, vertex in enumerate(vertices, len(self._stops)):
             self._stops.append((vertex.place, -order, vertex))
         for start, end in zip(vertices, vertices[1:] + vertices[:1], strict=True):
             if start.place < end.place:
-                _Edge(start, end, 1)
+                Edge(start, end, 1)
             else:
-                _Edge(end, start, -1)
+                Edge(end, start, -1)
 
     def _middle(self, first: int, second: int) -> int:
         return self._blend((first, second), (0.5, 0.5))
@@ -148,7 +149,7 @@ class Sweep:
         self.blends.append((sources, weights))
         return self._first_free + len(self.blends) - 1
 
-    def _merge(self, vertex: _Vertex, other: _Vertex) -> None:
+    def _merge(self, vertex: Vertex, other: Vertex) -> None:
         """Give the edges of `other`, at the same place, to `vertex`, which becomes their middle."""
         vertex.index = self._middle(vertex.index, other.index)
         for edge in other.ending:
@@ -158,10 +159,10 @@ class Sweep:
         vertex.ending += other.ending
         vertex.starting += other.starting
 
-    def _stop(self, vertex: _Vertex) -> None:
+    def _stop(self, vertex: Vertex) -> None:
         """Let the edges that end at `vertex` leave the line, and those that begin there enter."""
         position = self._locate(vertex)
-        ended: list[_Edge] = []
+        ended: list[Edge] = []
         while True:
             position = self._take_ended(vertex, position, ended)
             started = self._merge_starting(vertex)
@@ -179,10 +180,16 @@ class Sweep:
             self._start_regions(vertex, below.winding, started)
             started[-1].region = above
         elif position:
-            met = _Region(below.winding, below.lower, above.upper)
+            met = Region(below.winding, below.lower, above.upper)
             self._line[position - 1].region = met
 
-    def _locate(self, vertex: _Vertex) -> int:
+    def _cut(self, edge: Edge, vertex: Vertex) -> Edge:
+        return edge.cut(vertex)
+
+    def _drop(self, edge: Edge) -> None:
+        edge.drop()
+
+    def _locate(self, vertex: Vertex) -> int:
         """Return the position on the line of an edge that ends at `vertex`, else of `vertex`.
 
         An edge that happens to pass through `vertex` is made to end there.
@@ -201,10 +208,10 @@ class Sweep:
         if first < len(line):
             edge = line[first]
             if side(edge.left.place, vertex.place, edge.right.place) == 0:
-                edge.cut(vertex)
+                self._cut(edge, vertex)
         return first
 
-    def _take_ended(self, vertex: _Vertex, position: int, ended: list[_Edge]) -> int:
+    def _take_ended(self, vertex: Vertex, position: int, ended: list[Edge]) -> int:
         """Move the edges that end at `vertex` from the line to `ended`; return where they were."""
         line = self._line
         while position and line[position - 1].right is vertex:
@@ -217,11 +224,11 @@ class Sweep:
             strays = [line.index(edge) for edge in vertex.ending if edge not in ended]
             for edge in line[min(position, *strays) : max(position, *strays)]:
                 if edge.right is not vertex:
-                    edge.cut(vertex)
+                    self._cut(edge, vertex)
             return self._take_ended(vertex, position, ended)
         return position
 
-    def _settle(self, vertex: _Vertex, position: int, count: int) -> None:
+    def _settle(self, vertex: Vertex, position: int, count: int) -> None:
         """Cut edges at `position` wherever two that have become neighbours meet, and so on.
 
         `count` edges there are new. All is in order again when this returns, unless an edge was
@@ -249,7 +256,7 @@ class Sweep:
             if low.right is not low_end:
                 pairs.append(pair - 1)
 
-    def _cross(self, low: _Edge, up: _Edge, stop: _Vertex) -> None:
+    def _cross(self, low: Edge, up: Edge, stop: Vertex) -> None:
         """Cut two edges where they cross, right of the line or, at the least, on it."""
         a, b, c, d = low.left.place, low.right.place, up.left.place, up.right.place
         if min(c[1], d[1]) > max(a[1], b[1]):
@@ -261,16 +268,16 @@ class Sweep:
             self._cut_longer(low, up)
             return
         if up.left is not stop and side(c, stop.place, place) >= 0:
-            up.cut(stop)
+            self._cut(up, stop)
         if low.left is not stop and side(a, stop.place, place) <= 0:
-            low.cut(stop)
+            self._cut(low, stop)
         if low.right is not stop and up.right is not stop and self._crossings_left:
             self._crossings_left -= 1
             vertex = self._crossing_vertex(place, up, low)
-            up.cut(vertex)
-            low.cut(vertex)
+            self._cut(up, vertex)
+            self._cut(low, vertex)
 
-    def _crossing_vertex(self, place: Place, up: _Edge, low: _Edge) -> _Vertex:
+    def _crossing_vertex(self, place: Place, up: Edge, low: Edge) -> Vertex:
         """Return the vertex where two edges cross: half of either edge, the nearer end more."""
         ends = (up.right, up.left, low.right, low.left)
         gaps = [abs(place[0] - end.place[0]) + abs(place[1] - end.place[1]) for end in ends]
@@ -280,25 +287,25 @@ class Sweep:
             0.5 * gaps[3] / (gaps[2] + gaps[3]),
             0.5 * gaps[2] / (gaps[2] + gaps[3]),
         )
-        vertex = _Vertex(place, self._blend(tuple(end.index for end in ends), weights))
+        vertex = Vertex(place, self._blend(tuple(end.index for end in ends), weights))
         heapq.heappush(self._stops, (place, -vertex.index, vertex))
         return vertex
 
-    def _cut_longer(self, low: _Edge, up: _Edge) -> None:
+    def _cut_longer(self, low: Edge, up: Edge) -> None:
         """Cut the edge that goes further where the other ends, unless that end is in order."""
         low_end, up_end = low.right.place, up.right.place
         if low_end < up_end:
             if side(up.left.place, low_end, up_end) >= 0:
-                up.cut(low.right)
+                self._cut(up, low.right)
         elif low_end > up_end:
             if side(low.left.place, up_end, low_end) <= 0:
-                low.cut(up.right)
+                self._cut(low, up.right)
         elif low.right is not up.right:
             self._stops = [stop for stop in self._stops if stop[2] is not up.right]
             heapq.heapify(self._stops)
             self._merge(low.right, up.right)
 
-    def _merge_starting(self, vertex: _Vertex) -> list[_Edge]:
+    def _merge_starting(self, vertex: Vertex) -> list[Edge]:
         """Return the edges that start at a vertex, from the bottom up, one for each direction."""
         if len(vertex.starting) < 2:
             return vertex.starting[:]
@@ -308,11 +315,11 @@ class Sweep:
             self._cut_longer(low, up)
             if low.right is up.right:
                 up.winding += low.winding
-                low.drop()
+                self._drop(low)
             low = up
         return vertex.starting[:]
 
-    def _end_regions(self, vertex: _Vertex, below: _Region, ended: list[_Edge]) -> _Region:
+    def _end_regions(self, vertex: Vertex, below: Region, ended: list[Edge]) -> Region:
         """Make `vertex` a corner of the regions next to the ended edges; return the one above."""
         place, index = vertex.place, vertex.index
         if below.lower:
@@ -334,12 +341,12 @@ class Sweep:
             above.upper.append((place, index, False))
         return above
 
-    def _finish(self, corners: list[Corner], vertex: _Vertex) -> None:
+    def _finish(self, corners: list[Corner], vertex: Vertex) -> None:
         if len(corners) > 1:
             corners.append((vertex.place, vertex.index, False))
             self.regions.append(corners)
 
-    def _part_region(self, vertex: _Vertex, region: _Region, position: int, count: int) -> _Region:
+    def _part_region(self, vertex: Vertex, region: Region, position: int, count: int) -> Region:
         """Part the region that `vertex` lies in by a diagonal; return the one above, keep the rest.
 
         The diagonal goes to the vertex where two regions have met, else to the last one before.
@@ -357,18 +364,18 @@ class Sweep:
         above.append(on_lower)
         region.lower.append(on_upper)
         region.upper = region.lower
-        return _Region(region.winding, above, above)
+        return Region(region.winding, above, above)
 
-    def _start_regions(self, vertex: _Vertex, winding: int, started: list[_Edge]) -> None:
+    def _start_regions(self, vertex: Vertex, winding: int, started: list[Edge]) -> None:
         """Begin the regions between the edges that start at `vertex`."""
         for edge in started[:-1]:
             winding += edge.winding
             is_inside = self._is_inside(winding)
             corners = [(vertex.place, vertex.index, False)] if is_inside else []
-            edge.region = _Region(winding, corners, corners)
+            edge.region = Region(winding, corners, corners)
 
 
-def _compare_slopes(a: _Edge, b: _Edge) -> int:
+def _compare_slopes(a: Edge, b: Edge) -> int:
     """Return 1 if the first of two edges from one vertex is the upper, -1 the lower, 0 neither."""
     start, end_a, end_b = a.left.place, a.right.place, b.right.place
     above = side(start, end_a, end_b) if end_a < end_b else -side(start, end_b, end_a)

@@ -90,7 +90,7 @@ class Loop:
     def _draw(self) -> None:
         pointer = self._sketch.pointer
         self._progress.frame_count += 1
-        self._canvas.begin_frame()
+        self._canvas.begin_frame(is_looping=self._progress.is_looping)
         pointer.previous_x, pointer.previous_y = pointer.drawn_x, pointer.drawn_y
         self.program.call("draw")
         pointer.drawn_x, pointer.drawn_y = pointer.x, pointer.y

@@ -74,6 +74,8 @@ class Player:
         Called with file, line and text of each remark.
     say : callable
         Called with each mistake.
+    now : callable
+        Returns the time, in seconds from whenever.
     """
 
     def __init__(
@@ -84,12 +86,14 @@ class Player:
         args: Sequence[str] = (),
         tell: Tell,
         say: Callable[[Report], None],
+        now: Callable[[], float] = time.perf_counter,
     ) -> None:
         self._path = path
         self._screen = screen
         self._args = args
         self._tell = tell
         self._say = say
+        self._now = now
         self._picture: Target | None = None
         self._watch = Watch([path])
 
@@ -122,14 +126,14 @@ class Player:
 
     def _go_on(self, loop: Loop) -> Ending:
         progress = loop.program.sketch.progress
-        due_s = last_s = time.perf_counter()
+        due_s = last_s = self._now()
         while not (self._screen.is_closed or loop.is_finished):
-            wait_s = due_s - time.perf_counter() if loop.is_drawing else IDLE_S
+            wait_s = due_s - self._now() if loop.is_drawing else IDLE_S
             for event in self._screen.wait(max(wait_s, 0.0)):
                 loop.post(event)
             if self._has_new_version(loop):
                 return Ending.CHANGED
-            now_s = time.perf_counter()
+            now_s = self._now()
             if loop.is_drawing and now_s < due_s:
                 continue
             is_new = loop.step()

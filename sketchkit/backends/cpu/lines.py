@@ -22,7 +22,7 @@ def widen_lines(positions: F32, directions: F32, pipeline: Pipeline) -> F32:
     # same direction, and needs no division by what may be 0.
     along = (there[:, :2] * here[:, 3:] - here[:, :2] * there[:, 3:]) * _size(pipeline)
     squares = along[:, 0] * along[:, 0] + along[:, 1] * along[:, 1]
-    along *= np.where(squares > 0, 1 / np.sqrt(squares), 0)[:, None]
+    along *= (np.float32(1) / np.sqrt(np.where(squares > 0, squares, 1)))[:, None]
     across = np.stack([-along[:, 1], along[:, 0]], axis=1) * directions[:, 3:]
     return _offset(here, across, pipeline)
 

@@ -85,8 +85,8 @@ def _meets(x: F64, y: F64, window: Window) -> NDArray[np.bool_]:
 def _limit(edge: int, place: float) -> int:
     """Return the first column, or row, whose sample is inside a window that begins at `edge`.
 
-    Mesa lets samples pass from half a pixel before the edge on; with four to a pixel two of the
-    pixel before are among them.
+    Mesa lets samples pass from half a pixel before the edge on, which with four to a pixel lets
+    two of the pixel before pass; Processing's frames made with Mesa show it.
     """
     return max(floor(edge - 0.5 - place / SUBPIXELS) + 1, 0)
 

@@ -74,13 +74,9 @@ class Shading:
         corner = uv_at(left, top)
         size = np.array(texture.size, np.float32)[:, None]
         along_x, along_y = (
-            (uv_at(left + 1, top) - corner) * size,
-            (uv_at(left, top + 1) - corner) * size,
+            ((uv_at(x, y) - corner) * size) ** 2 for x, y in ((left + 1, top), (left, top + 1))
         )
-        texels_squared = np.maximum(
-            along_x[0] * along_x[0] + along_x[1] * along_x[1],
-            along_y[0] * along_y[0] + along_y[1] * along_y[1],
-        )
+        texels_squared = np.maximum(along_x[0] + along_x[1], along_y[0] + along_y[1])
         return texture.sample(uv_at(column, row), texels_squared, self._wrap)
 
     def _interpolate(self, planes: Planes, triangle: I64, x: Numbers, y: Numbers) -> F32:

@@ -17,7 +17,8 @@ from sketchkit.draw.vertex import F32, U8
 I32 = NDArray[np.int32]
 I64 = NDArray[np.int64]
 
-ONE = 256  # the weight 1
+WEIGHT_BITS = 8
+ONE = 1 << WEIGHT_BITS  # the weight 1
 HALF = ONE // 2
 
 
@@ -82,16 +83,15 @@ class Texture:
 def _neighbours(places: F32, length: I64, wrap: Wrap) -> tuple[I64, I64, I32]:
     """Return the texels before and after places 0..1 in a row, and the weight of the latter."""
     fixed = np.rint(places * length.astype(np.float32) * np.float32(ONE)).astype(np.int64) - HALF
-    before, weight = fixed // ONE, fixed % ONE
+    before, weight = fixed >> WEIGHT_BITS, (fixed & (ONE - 1)).astype(np.int32)
     if wrap is Wrap.REPEAT:
-        return before % length, (before + 1) % length, weight.astype(np.int32)
+        return before % length, (before + 1) % length, weight
     last = length - 1
-    before, after = np.clip(before, 0, last), np.clip(before + 1, 0, last)
-    return before, after, weight.astype(np.int32)
+    return np.clip(before, 0, last), np.clip(before + 1, 0, last), weight
 
 
 def _lerp(a: I32, b: I32, weight: I32) -> I32:
-    return a + ((b - a) * weight + HALF >> 8)
+    return a + (((b - a) * weight + HALF) >> WEIGHT_BITS)
 
 
 def _half_log2(squares: F32) -> F32:

@@ -1,4 +1,4 @@
-"""Set-up: triangles on the frame, their edges as exact integers and their values as planes.
+"""Set-up: triangles on the frame, their corners on an exact grid and their values as planes.
 
 The arithmetic is Mesa's: what is fused, and at which corner a triangle begins. The planes of thin
 triangles depend on it visibly.

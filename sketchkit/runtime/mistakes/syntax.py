@@ -121,16 +121,17 @@ MESSAGE_RULES = (
         "Write three quotation marks at its end.",
     ),
     MessageRule(
+        r"cannot assign to (.+?)(?: here.*)?$",
+        r"No value can be given to \1: on the left of = stands a name.",
+        "To compare write ==.",
+    ),
+    MessageRule(
         r"Maybe you meant '==' or ':=' instead of '='|Maybe you meant '==' instead of '='",
         "One = gives a value to a name.",
         "To compare write ==.",
     ),
     MessageRule(
         r"Perhaps you forgot a comma", "Something is missing between these two.", "Perhaps a comma."
-    ),
-    MessageRule(
-        r"cannot assign to (.+?)(?: here.*)?$",
-        r"No value can be given to \1: on the left of = stands a name.",
     ),
     MessageRule(
         r"invalid decimal literal",

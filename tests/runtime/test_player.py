@@ -1,0 +1,177 @@
+"""The player, with a window and a clock made of plain Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import pytest
+
+from sketchkit.api.events import KeyEvent
+from sketchkit.api.host import NoWindow
+from sketchkit.backends.listing import ListingBackend
+from sketchkit.core.constants import ESC
+from sketchkit.draw.resources import Target
+from sketchkit.runtime.events import AnyEvent
+from sketchkit.runtime.player import Player
+from sketchkit.runtime.report import Report
+from tests.runtime.sketches import Remarks, written
+
+MOMENT_S = 0.001  # how long everything takes
+
+
+class FakeScreen(NoWindow):
+    """A window whose time passes only while it is waited for.
+
+    `plan` says what happens when: at a time, an action.
+    """
+
+    def __init__(self, closes_s: float) -> None:
+        self.backend = ListingBackend()
+        self.time_s = 0.0
+        self.closes_s = closes_s
+        self.plan: dict[float, Callable[[], Sequence[AnyEvent]]] = {}
+        self.shown: list[tuple[float, int]] = []
+        self.titles: list[str] = []
+
+    def now(self) -> float:
+        return self.time_s
+
+    @property
+    def is_closed(self) -> bool:
+        return self.time_s >= self.closes_s
+
+    def wait(self, timeout_s: float) -> Sequence[AnyEvent]:
+        self.time_s += max(timeout_s, MOMENT_S)
+        due = [time_s for time_s in self.plan if time_s <= self.time_s]
+        return [event for time_s in due for event in self.plan.pop(time_s)()]
+
+    def pace(self, frames_per_second: float) -> None:
+        pass
+
+    def show(self, target: Target) -> None:
+        self.shown.append((self.time_s, target.width))
+
+    def set_title(self, title: str) -> None:
+        self.titles.append(title)
+
+
+def play(path: Path, screen: FakeScreen) -> tuple[bool, list[Report]]:
+    told: list[Report] = []
+    player = Player(path, screen, tell=Remarks().tell, say=told.append, now=screen.now)
+    return player.play(), told
+
+
+def saved(path: Path, text: str) -> Callable[[], Sequence[AnyEvent]]:
+    """Return what saves a file as an editor does."""
+
+    def save() -> Sequence[AnyEvent]:
+        written(path.parent, text, path.name)
+        return []
+
+    return save
+
+
+@pytest.mark.parametrize(("setup", "frames"), [("", 60), ("frameRate(10)", 10)])
+def test_frames_come_at_their_rate(tmp_path: Path, setup: str, frames: int) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    sketch = written(
+        tmp_path, f"def setup():\n    size(20, 20)\n    {setup}\ndef draw():\n    background(0)\n"
+    )
+
+    is_well, _ = play(sketch, screen)
+
+    assert is_well
+    assert len(screen.shown) - 1 == pytest.approx(frames, abs=1)  # one more after setup()
+
+
+def test_frameRate_is_measured(tmp_path: Path) -> None:
+    sketch = written(
+        tmp_path,
+        """
+        def setup():
+            frameRate(20)
+        def draw():
+            if frameCount == 100:
+                saveStrings("rate.txt", [round(frameRate)])
+        """,
+    )
+
+    play(sketch, FakeScreen(closes_s=6.0))
+
+    assert (tmp_path / "rate.txt").read_text() == "20\n"
+
+
+def test_exit_closes_the_window(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=9.0)
+
+    is_well, _ = play(written(tmp_path, "def draw():\n    exit()\n"), screen)
+
+    assert is_well
+    assert screen.time_s < 1
+
+
+def test_mistake_is_shown_and_the_window_stays_with_its_picture(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=3.0)
+    text = "size(20, 20)\ndef draw():\n    if frameCount == 3:\n        elipse(1)\n"
+
+    is_well, told = play(written(tmp_path, text), screen)
+
+    assert not is_well
+    assert [report.line for report in told] == [4]
+    assert screen.titles[-1] == "sketch: a mistake in sketch.py, line 4"
+    assert screen.shown[-1][0] > 2.5
+
+
+def test_escape_closes_the_window_after_a_mistake(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=9.0)
+    screen.plan[0.5] = lambda: [KeyEvent(KeyEvent.PRESS, key=ESC)]
+
+    is_well, _ = play(written(tmp_path, "elipse(1)"), screen)
+
+    assert not is_well
+    assert screen.time_s < 1
+
+
+def test_saved_sketch_starts_again(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    sketch = written(tmp_path, "size(20, 20)")
+    screen.plan[0.5] = saved(sketch, "size(300, 20)")
+
+    play(sketch, screen)
+
+    assert [width for _, width in (screen.shown[0], screen.shown[-1])] == [20, 300]
+
+
+def test_saved_module_starts_the_sketch_again(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    helper = written(tmp_path, "side = 20", "helpers.py")
+    screen.plan[0.5] = saved(helper, "side = 300")
+
+    play(written(tmp_path, "import helpers\nsize(helpers.side, 20)"), screen)
+
+    assert [width for _, width in (screen.shown[0], screen.shown[-1])] == [20, 300]
+
+
+def test_old_version_goes_on_while_the_new_one_is_no_python(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    sketch = written(tmp_path, "def draw():\n    if frameCount == 45: saveStrings('a', [1])\n")
+    screen.plan[0.2] = saved(sketch, "def draw(\n")
+
+    is_well, told = play(sketch, screen)
+
+    assert is_well
+    assert [report.line for report in told] == [1]
+    assert (tmp_path / "a").exists()
+
+
+def test_sketch_that_could_not_be_read_starts_when_it_is_mended(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    sketch = written(tmp_path, "size(20, 20")
+    screen.plan[0.5] = saved(sketch, "size(200, 20)")
+
+    is_well, told = play(sketch, screen)
+
+    assert is_well
+    assert len(told) == 1
+    assert screen.shown[-1][1] == 200
