@@ -186,7 +186,10 @@ def _parameters(
 def _annotation(annotation: object, function: Callable[..., object], imports: Imports) -> str:
     if annotation is inspect.Parameter.empty:
         return "object"
-    text = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
+    if isinstance(annotation, str):
+        text = annotation
+    else:  # of a module without `from __future__ import annotations`: its names are spelt out
+        text = re.sub(r"~|(?:\w+\.)+(?=\w)", "", inspect.formatannotation(annotation))
     imports.need(text, function)
     return text
 

@@ -6,7 +6,6 @@ errors look for the nearest of them.
 
 from __future__ import annotations
 
-import builtins
 from collections.abc import Iterable, Mapping
 from types import ModuleType
 
@@ -21,9 +20,6 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.core import constants
 
 CLASSES: tuple[type, ...] = (KeyEvent, MouseEvent, PMatrix2D, PMatrix3D, PSurface, PVector)
-
-# Methods of a canvas that are not functions of the sketch, for its main canvas is always begun.
-OF_A_CANVAS_ALONE = frozenset({"beginDraw", "endDraw", "resize", "dispose"})
 
 Names = dict[str, object]
 
@@ -45,7 +41,7 @@ def groups_of(sketch: Sketch) -> dict[str, Names]:
         "canvas": {
             name: value
             for name, value in _public(canvas).items()
-            if name not in both and name not in OF_A_CANVAS_ALONE and callable(value)
+            if name not in both and callable(value)
         },
         "sketch": _without(_public(sketch), live_names(type(sketch))),
         "itself": {"this": sketch, "g": canvas, "args": sketch.args},
@@ -82,18 +78,14 @@ def live_values(sketch: Sketch) -> Names:
     }
 
 
-def python_names() -> Names:
-    """Return Python's own names, which a sketch sees as well."""
-    return dict(vars(builtins))
-
-
 def _public(owner: object) -> Names:
-    """Return the methods and properties under Processing's names: ours have underscores in them."""
-    return {
-        name: getattr(owner, name)
-        for name in dir(type(owner))
-        if "_" not in name and not isinstance(getattr(type(owner), name), type)
-    }
+    """Return what the groups of methods define that an owner consists of.
+
+    Names of ours have underscores in them, or are defined where the groups are joined.
+    """
+    kind = type(owner)
+    names = (name for name in dir(kind) if "_" not in name and name not in vars(kind))
+    return {name: getattr(owner, name) for name in names}
 
 
 def _without(names: Names, excluded: Iterable[str]) -> Names:

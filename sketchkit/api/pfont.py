@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sketchkit.assets.fonts import Fonts, design_size
+from sketchkit.assets.fonts import design_size, heights
 
 
 class PFont:
@@ -56,7 +56,7 @@ class PFont:
         --------
         >>> println(createFont("", 24).ascent())
         """
-        return Fonts().face(self._path, self.getSize(), 1.0).ascent
+        return heights(self._path, self.getSize())[0] / self.getSize()
 
     def descent(self) -> float:
         """Return how far letters reach below the baseline, as a part of the size.
@@ -65,7 +65,7 @@ class PFont:
         --------
         >>> println(createFont("", 24).descent())
         """
-        return Fonts().face(self._path, self.getSize(), 1.0).descent
+        return heights(self._path, self.getSize())[1] / self.getSize()
 
     def __repr__(self) -> str:
         return f"<PFont {self.getName()}, {self._size:g}>"

@@ -11,13 +11,14 @@ from sketchkit.api.images import IMAGE, Images
 from sketchkit.api.typesetting import Typesetting, as_text
 from sketchkit.assets.fonts import Line
 from sketchkit.core.constants import BOTTOM, CENTER, LEFT, RIGHT, TOP
+from sketchkit.core.float32 import ROUND, f32
 from sketchkit.core.matrix import translate
 from sketchkit.data.wrapping import wrap
 from sketchkit.draw.pipeline import Blend
 from sketchkit.draw.recorder import ROW, pack_row8
 from sketchkit.geometry.rects import rect_edges
 
-TEXT_USAGE = "x, y [, z] | x, y, width, height"
+TEXT_USAGE = "x, y | x, y, z | x, y, width, height"
 
 
 class Block(NamedTuple):
@@ -64,7 +65,7 @@ class Text(Typesetting, Images):
         >>> text("a long text that is wrapped", 10, 40, 80, 50)
         """
         try:
-            x, y, *numbers = (number + 0.0 for number in (x, y, *more))
+            x, y, *numbers = (f32(number + 0.0) for number in (x, y, *more))
         except TypeError:
             self._refuse("text", (x, y, *more), TEXT_USAGE)
         written = as_text(what)
@@ -80,38 +81,39 @@ class Text(Typesetting, Images):
     def _lines_at(self, written: str, x: float, y: float) -> Block:
         """Return the lines of a text, aligned at a point."""
         lines = written.split("\n")
-        height = (len(lines) - 1) * self._typeset().leading
+        below_first = _height(lines, self._typeset().leading)
         align = self._typography.align_y
         if align == CENTER:
-            y += (self.textAscent() - height) / 2
+            y += f32(self.textAscent() - below_first) / 2
         elif align == TOP:
             y += self.textAscent()
         elif align == BOTTOM:
-            y -= self.textDescent() + height
-        return Block(lines, x, y)
+            y -= f32(self.textDescent() + below_first)
+        return Block(lines, x, f32(y))
 
     def _lines_in_box(self, written: str, a: float, b: float, c: float, d: float) -> Block:
         """Return the lines of a text that fit into a box, aligned in it."""
         typography = self._typeset()
         box = rect_edges(self._style.rect_mode, np.array([[a, b, c, d]], np.float32))
         left, top, right, bottom = (float(edge[0]) for edge in box)
+        width, height = f32(right - left), f32(bottom - top)
         ascent, descent, leading = self.textAscent(), self.textDescent(), typography.leading
-        lines = wrap(written, right - left, self._set_face().width)
-        height = bottom - top
+        lines = wrap(written, width, self._set_face().width)
         if leading > 0:
-            del lines[max(0, 1 + math.floor((height - ascent - descent) / leading)) :]
-        x = {LEFT: left, CENTER: left + (right - left) / 2, RIGHT: right}[typography.align_x]
-        below_first = leading * (len(lines) - 1)
-        y = top + ascent
+            room = f32(f32(height - f32(ascent + descent)) / leading)
+            del lines[max(0, 1 + math.floor(room)) :]
+        x = {LEFT: left, CENTER: f32(left + width / 2), RIGHT: right}[typography.align_x]
+        below_first = f32(leading * (len(lines) - 1))
+        y = f32(top + ascent)
         if typography.align_y == CENTER:
-            y += (height - ascent - below_first) / 2
+            y += f32(height - f32(ascent + below_first)) / 2
         elif typography.align_y == BOTTOM:
-            y = bottom - descent - below_first
-        return Block(lines, x, y)
+            y = f32(bottom - descent) - below_first
+        return Block(lines, x, f32(y))
 
     def _write(self, block: Block, z: float = 0.0) -> None:
         """Record lines of text, always with BLEND, as Processing does."""
-        color = self._fill if self._fill >= 0 else ~self._fill
+        color = max(self._fill, 0)  # with noFill() it is transparent
         typography, saved, modelview = self._typeset(), self._stage, self._modelview
         if saved.blend is not Blend.BLEND:
             self._restage(blend=Blend.BLEND)
@@ -122,8 +124,8 @@ class Text(Typesetting, Images):
         y = block.y
         for written in block.lines:
             line = set_face.line(written)
-            self._pack_line(line, block.x - part * line.width, y, color)
-            y += typography.leading
+            self._pack_line(line, f32(block.x - part * line.width), y, color)
+            y = f32(y + typography.leading)
         if self._stage is not saved or self._modelview is not modelview:
             self._stage, self._modelview, self._state = saved, modelview, -1
 
@@ -136,13 +138,25 @@ class Text(Typesetting, Images):
             rows.extend(bytes(len(rows)))
         link = len(textures) - 1
         last = textures[-1] if textures else None
-        for pixels, left, top, right, bottom, u1, v1, u2, v2 in line.quads:
+        for pixels, left, top, width, height, u1, v1, u2, v2 in line.quads:
             if pixels is not last:
                 textures.append(pixels)
                 last, link = pixels, link + 1
+            # In 32 bits, as Processing: P2D rounds corners up, and each last bit may be a pixel.
+            x1, y1 = x + left, y + top
+            a, b = x1 * ROUND, y1 * ROUND
+            x1, y1 = a - (a - x1), b - (b - y1)
             pack_row8(
-                *(rows, end, IMAGE, state, color, color, 0.0, link),
-                *(x + left, y + top, x + right, y + bottom, u1, v1, u2, v2),
-            )
+                rows, end, IMAGE, state, color, color, 0.0, link,
+                x1, y1, x1 + width, y1 + height, u1, v1, u2, v2,
+            )  # fmt: skip # the row, and its numbers
             end += ROW
         recorder.row_end = end
+
+
+def _height(lines: list[str], leading: float) -> float:
+    """Return the distance from the first baseline to the last; summed up, as Processing does."""
+    height = 0.0
+    for _ in lines[1:]:
+        height = f32(height + leading)
+    return height

@@ -11,11 +11,12 @@ from sketchkit.api.style import check_choice
 from sketchkit.assets.fonts import FONT_FILES, Face, design_size, find_face, fonts_of
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, shown
+from sketchkit.core.float32 import f32
 from sketchkit.core.notices import warn_once
 from sketchkit.core.style import Typography
 from sketchkit.data.strings import nfs
 
-LEADING = 1.275  # from line to line, in heights of a letter from ascent to descent
+LEADING = f32(1.275)  # from line to line, in heights of a letter from ascent to descent
 FIRST_SIZE = 12.0
 ALIGNMENTS = {c.LEFT: "LEFT", c.CENTER: "CENTER", c.RIGHT: "RIGHT"}
 VERTICAL = {c.TOP: "TOP", c.CENTER: "CENTER", c.BASELINE: "BASELINE", c.BOTTOM: "BOTTOM"}
@@ -52,7 +53,7 @@ class Typesetting(CanvasParts):
         >>> text("word", 10, 50)
         """
         try:
-            wanted = size + 0.0
+            wanted = f32(size + 0.0)
         except TypeError:
             self._refuse("textSize", (size,), "size")
         if wanted <= 0:
@@ -64,7 +65,7 @@ class Typesetting(CanvasParts):
 
     def _size_text(self, size: float) -> None:
         self._typography = replace(self._typography, size=size)
-        leading = (self.textAscent() + self.textDescent()) * LEADING
+        leading = f32(f32(self.textAscent() + self.textDescent()) * LEADING)
         self._typography = replace(self._typography, leading=leading)
 
     def _use_face(self, path: str, size: float) -> None:
@@ -130,7 +131,7 @@ class Typesetting(CanvasParts):
         >>> text("two\nlines", 10, 30)
         """
         try:
-            self._typography = replace(self._typeset(), leading=leading + 0.0)
+            self._typography = replace(self._typeset(), leading=f32(leading + 0.0))
         except TypeError:
             self._refuse("textLeading", (leading,), "leading")
 

@@ -41,17 +41,18 @@ class Quad(NamedTuple):
     ----------
     pixels : Pixels
         The atlas that it lies in.
-    left, top, right, bottom : float, pixels
+    left, top : float, pixels
         From the line's origin: its left end, on the baseline.
+    width, height : float, pixels
     u1, v1, u2, v2 : float
-        The same corners in the atlas, 0..1.
+        Its left, top, right and bottom in the atlas, 0..1.
     """
 
     pixels: Pixels
     left: float
     top: float
-    right: float
-    bottom: float
+    width: float
+    height: float
     u1: float
     v1: float
     u2: float
@@ -108,14 +109,13 @@ class Face:
 
     @cached_property
     def ascent(self) -> float:
-        """Pixels above the baseline: of a "d", as Processing measures it."""
-        return self._scaled(-self._shape("d").top)
+        """Pixels above the baseline."""
+        return self._scaled(heights(self._path, self._made_at)[0])
 
     @cached_property
     def descent(self) -> float:
-        """Pixels below the baseline: of a "p", as Processing measures it."""
-        shape = self._shape("p")
-        return self._scaled(shape.top + shape.mask.shape[0])
+        """Pixels below the baseline."""
+        return self._scaled(heights(self._path, self._made_at)[1])
 
     def line(self, text: str) -> Line:
         """Return text laid out; the letters are in the atlas afterwards."""
@@ -146,16 +146,16 @@ class Face:
         image, column, row = self._atlas.place(character, mask)
         pixels = self._atlas.image(image)
         height, width = mask.shape
-        x, y = pen + self._scaled(left), self._scaled(top)
         return Quad(
-            *(pixels, x, y, x + self._scaled(width), y + self._scaled(height)),
+            *(pixels, pen + self._scaled(left), self._scaled(top)),
+            *(self._scaled(width), self._scaled(height)),
             *(column / pixels.width, row / pixels.height),
             *((column + width) / pixels.width, (row + height) / pixels.height),
         )
 
     def _scaled(self, length: int) -> float:
         """Return pixels of the shapes at the size of the text, rounded as Processing does."""
-        return f32(f32(length / self._made_at) * self._size)
+        return f32(f32(length / self._made_at) * f32(self._size))
 
     def _shape(self, character: str) -> Shape:
         return _draw(self._path, self._made_at, character)
@@ -188,7 +188,16 @@ def fonts_of(owner: object) -> Fonts:
 
     Each has its own, so that its pictures do not depend on what else was drawn in the process.
     """
-    return _fonts.setdefault(owner, Fonts())
+    found = _fonts.get(owner)
+    if found is None:
+        found = _fonts[owner] = Fonts()
+    return found
+
+
+def heights(path: str, size: int) -> tuple[int, int]:
+    """Return pixels above the baseline, of a "d", and below it, of a "p", as Processing does."""
+    tall, deep = _draw(path, size, "d"), _draw(path, size, "p")
+    return -tall.top, deep.top + deep.mask.shape[0]
 
 
 def design_size(size: float) -> int:

@@ -7,8 +7,12 @@ import os
 import threading
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from sketchkit.core.errors import SketchError
-from sketchkit.draw.vertex import U8
+
+U8 = NDArray[np.uint8]
 
 # What a file's ending means to Pillow, and how it is told to write it.
 PICTURES: dict[str, tuple[str, dict[str, int]]] = {

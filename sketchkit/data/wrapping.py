@@ -38,7 +38,7 @@ def wrap(text: str, width: float, measure: Measure) -> list[str]:
 
 def _wrap_sentence(sentence: str, width: float, measure: Measure) -> tuple[list[str], bool]:
     """Return the lines of text without newlines, and whether all of it has found a place."""
-    lines = []
+    lines: list[str] = []
     line = word = place = 0  # where the line and its last word begin; where we are
     used = 0.0
     while True:

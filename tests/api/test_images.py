@@ -151,7 +151,8 @@ def test_a_background_image_ignores_matrix_depth_lights_and_tint_but_not_clip_an
     assert box(block) == [0, 0, 100, 100]
     assert block.colors[0].tolist() == [255, 255, 255, 255]
     assert draw.pipeline.program is Program.TEXTURED
-    assert not (draw.pipeline.depth_test or draw.pipeline.depth_write)
+    assert not draw.pipeline.depth_test
+    assert not draw.pipeline.depth_write
     assert draw.pipeline.clip == Clip(10, 10, 20, 20)
     assert draw.pipeline.blend is Blend.ADD
     assert (canvas._stage, canvas._modelview) == before

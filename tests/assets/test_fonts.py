@@ -71,15 +71,15 @@ def test_a_letter_is_where_and_what_processing_draws():
     rows = slice(round(quad.v1 * image.height), round(quad.v2 * image.height))
     columns = slice(round(quad.u1 * image.width), round(quad.u2 * image.width))
     drawn = image.data[rows, columns, 3]
-    assert (quad.left, quad.top, quad.bottom) == (0, -9, 0)
+    assert (quad.left, quad.top, quad.width, quad.height) == (0, -9, 6, 9)
     assert drawn.tolist() == expected
 
 
 def test_letters_are_enlarged_from_the_design():
     (small,), (large,) = default(12).line("d").quads, default(12, 24).line("d").quads
 
-    assert (large.right - large.left) == 2 * (small.right - small.left)
-    assert (large.top, large.bottom) == (-18, 0)
+    assert (large.width, large.height) == (2 * small.width, 2 * small.height) == (12, 18)
+    assert large.top == -18
     assert large.u2 - large.u1 == small.u2 - small.u1
 
 

@@ -121,10 +121,10 @@ class TestWholeTarget:
     def test_background_takes_the_place_of_the_old_picture(self, flat):
         flat.background(10, 20, 30)
 
-        *_, last = drawn(flat).commands
+        commands = drawn(flat).commands
 
-        assert last == Clear(flat.target, (10, 20, 30, 255), depth=True)
-        assert not any(isinstance(command, Settle) for command in drawn(flat).commands)
+        assert commands[-1] == Clear(flat.target, (10, 20, 30, 255), depth=True)
+        assert not any(isinstance(command, Settle) for command in commands)
 
     def test_frame_without_background_keeps_the_old_picture(self, flat):
         flat.rect(10, 10, 20, 20)

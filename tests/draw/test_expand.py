@@ -56,8 +56,10 @@ class TestFills:
             flat.rectMode(mode)
             flat.rect(50, 40, 10, 10)
 
-        widths = np.ptp(fills(flat).positions.reshape(3, 4, 3)[..., 0], axis=1)
+        block = fills(flat)
 
+        x = block.positions[block.indices, 0]  # in the order drawn, six corners each
+        widths = np.ptp(x.reshape(3, 6), axis=1)
         assert widths.tolist() == [20, 10, 20]
 
     def test_fill_is_unpacked_to_rgba(self, flat):

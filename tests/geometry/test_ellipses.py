@@ -49,9 +49,7 @@ def test_upright_box_covers_the_same_place():
     assert tuple(float(column[0]) for column in box) == (10, 20, 20, 14)
 
 
-@pytest.mark.parametrize(
-    ("start", "stop"), [(1, 1), (2, 1), (math.nan, 1), (0, math.inf)]
-)
+@pytest.mark.parametrize(("start", "stop"), [(1, 1), (2, 1), (math.nan, 1), (0, math.inf)])
 def test_no_arc_unless_it_goes_forward(start, stop):
     assert wrap_angles(start, stop) is None
 

@@ -1,0 +1,94 @@
+"""Flat shapes check what they are given in the call itself."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sketchkit.backends.listing import ListingBackend
+from sketchkit.core.errors import SketchError
+from sketchkit.runtime.headless import Launch, render
+from sketchkit.runtime.report import StoppedError
+from tests.canvases import drawn, draws, fills
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda g: g.rect("10", 20, 30, 40), "text for x"),
+        (lambda g: g.rect(10, None, 30, 40), "None for y"),
+        (lambda g: g.rect(10, 20, 30, 40, 1, 2), "Got 6"),
+        (lambda g: g.rect([10], 20, 30, 40), "list"),
+        (lambda g: g.line(1, 2, 3, "4"), "text for y2"),
+        (lambda g: g.ellipse(1, 2, "3"), "text for width"),
+        (lambda g: g.arc(1, 2, 3, 4, "0", 1), "text for start"),
+        (lambda g: g.point("1", 2), "text for x"),
+        (lambda g: g.triangle(1, 2, 3, 4, 5, "6"), "text for y3"),
+        (lambda g: g.quad(1, 2, 3, 4, 5, 6, 7, None), "None for y4"),
+        (lambda g: g.square(1, 2, "3"), "text for"),
+        (lambda g: g.circle(1, 2, "3"), "text for"),
+        (lambda g: g.bezier(1, 2, 3), "Got 3"),
+    ],
+)
+def test_number_that_is_none_is_named(flat, call, message):
+    with pytest.raises(SketchError) as caught:
+        call(flat)
+
+    assert message in str(caught.value)
+
+
+def test_refused_call_draws_nothing(flat):
+    with pytest.raises(SketchError):
+        flat.rect(10, 20, 30, "40")
+
+    assert draws(drawn(flat)) == []
+
+
+def test_text_that_is_a_number_gets_a_hint(flat):
+    with pytest.raises(SketchError, match=r"float\('40'\) makes a number of it"):
+        flat.rect(10, 20, 30, "40")
+
+
+@pytest.mark.parametrize("count", [1024, 1025, 5000])
+def test_any_number_of_shapes_is_recorded(flat, count):
+    flat.noStroke()
+    for _ in range(count):
+        flat.rect(0, 0, 1, 1)
+
+    assert len(fills(flat).positions) == 4 * count
+
+
+def message_of(tmp_path: Path, line: str) -> str:
+    """Return what is told when a sketch has this line."""
+    path = tmp_path / "wrong.py"
+    path.write_text(f"{line}\n", encoding="utf-8")
+    with pytest.raises(StoppedError) as caught:
+        list(render(Launch(path, tell=print), [0], ListingBackend()))
+    return caught.value.report.message
+
+
+def test_rect_with_three_numbers_tells_how_many_it_takes(tmp_path):
+    message = message_of(tmp_path, "rect(10, 20, 30)")
+
+    assert "rect() takes 4, 5 or 8 numbers: x, y, width, height" in message
+    assert "Got 3: rect(10, 20, 30)" in message
+    assert "square(10, 20, 30)" in message
+
+
+@pytest.mark.parametrize(
+    ("line", "count"),
+    [
+        ("line(1, 2, 3)", 3),
+        ("ellipse(1, 2)", 2),
+        ("triangle(1, 2, 3, 4)", 4),
+        ("quad(1, 2, 3, 4)", 4),
+        ("point(1)", 1),
+        ("circle(1, 2)", 2),
+    ],
+)
+def test_too_few_numbers_are_counted(tmp_path, line, count):
+    message = message_of(tmp_path, line)
+
+    assert message.startswith(f"{line.partition('(')[0]}() takes ")
+    assert f"Got {count}: {line}" in message
