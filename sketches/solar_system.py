@@ -4,10 +4,10 @@
 # distance, radius, days for one turn around the sun, where it begins, colour, moons
 planets = [
     (78, 7, 88, 0.4, "#B9A78F", 0),
-    (116, 12, 225, 2.6, "#E0B868", 0),
-    (164, 14, 365, 4.9, "#4C8FD8", 1),
+    (116, 12, 225, 3.5, "#E0B868", 0),
+    (164, 14, 365, 2.2, "#4C8FD8", 1),
     (215, 10, 687, 5.9, "#C8553D", 2),
-    (285, 28, 4333, 0.9, "#D8A878", 4),
+    (285, 28, 4333, 0.7, "#D8A878", 4),
 ]
 stars = []
 
@@ -30,7 +30,7 @@ def draw():
     sphere(42)
 
     # The sun shines from where it is, on all that is drawn after this.
-    ambientLight(45, 45, 60)
+    ambientLight(60, 60, 75)
     pointLight(255, 246, 225, 0, 0, 0)
     for distance, radius, year, start, colour, moons in planets:
         pushMatrix()

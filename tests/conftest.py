@@ -54,10 +54,17 @@ def goldens(pytestconfig: pytest.Config) -> Goldens:
 
 
 @pytest.fixture(scope="session")
-def gl_backend() -> Iterator[GlBackend]:
+def one_gl_backend() -> Iterator[GlBackend]:
     backend = GlBackend.headless()
     yield backend
     backend.close()
+
+
+@pytest.fixture
+def gl_backend(one_gl_backend: GlBackend) -> Iterator[GlBackend]:
+    """The OpenGL renderer; its context is current, whichever another test has made."""
+    with one_gl_backend.context:
+        yield one_gl_backend
 
 
 @pytest.fixture(params=["gl", "cpu"])

@@ -87,7 +87,8 @@ class Styling(CanvasParts):
         >>> noFill()
         >>> ellipse(50, 50, 60, 60)
         """
-        self._fill = NO_COLOR
+        if self._fill >= 0:
+            self._fill = ~self._fill  # negative: none, but text goes on in the old colour
 
     def stroke(
         self,

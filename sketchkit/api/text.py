@@ -113,7 +113,7 @@ class Text(Typesetting, Images):
 
     def _write(self, block: Block, z: float = 0.0) -> None:
         """Record lines of text, always with BLEND, as Processing does."""
-        color = max(self._fill, 0)  # with noFill() it is transparent
+        color = self._fill if self._fill >= 0 else ~self._fill  # noFill() does not hold for text
         typography, saved, modelview = self._typeset(), self._stage, self._modelview
         if saved.blend is not Blend.BLEND:
             self._restage(blend=Blend.BLEND)

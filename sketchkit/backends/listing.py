@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from sketchkit.core.lights import Light, LightKind
 from sketchkit.core.matrix import Mat4
 from sketchkit.draw.commands import Clear, Command, Draw, DrawList, Settle
-from sketchkit.draw.pipeline import Pipeline
+from sketchkit.draw.pipeline import Clip, Pipeline
 from sketchkit.draw.resources import Pixels, Target, Wrap
 from sketchkit.draw.vertex import U8, U32, Layer, Materials, VertexBlock
 
@@ -116,8 +116,9 @@ class _Writer:
     def lines(self, command: Command) -> Iterator[str]:
         """Yield the lines of one command."""
         match command:
-            case Clear(target, color, depth):
-                yield f"Clear {self._target(target)}: {_color(color)}{', depth' * depth}"
+            case Clear(target, color, depth, clip):
+                parts = [_color(color), *["depth"] * depth, *([_clip(clip)] if clip else [])]
+                yield f"Clear {self._target(target)}: {', '.join(parts)}"
             case Settle(target, how):
                 yield f"Settle {self._target(target)}: {how.value}"
             case Draw():
@@ -148,7 +149,7 @@ class _Writer:
         what = f"{command.count // 3} triangles of {command.layer.value}"
         parts = [what, pipeline.program.name, pipeline.blend.name, _depth(pipeline)]
         if clip := pipeline.clip:
-            parts.append(f"clip {clip.width} x {clip.height} at {clip.left} {clip.top}")
+            parts.append(_clip(clip))
         if pipeline.lights:
             parts.append(f"lights {len(pipeline.lights)}")
         if pipeline.texture is not None:
@@ -270,3 +271,7 @@ def _bounds(block: VertexBlock, used: U32) -> str:
         f"{axis} {_number(float(a))}..{_number(float(b))}"
         for axis, a, b in zip("xyz", low, high, strict=True)
     )
+
+
+def _clip(clip: Clip) -> str:
+    return f"clip {clip.width} x {clip.height} at {clip.left} {clip.top}"

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from sketchkit.core import constants as c
 from sketchkit.core.color import ColorMode
 
-NO_COLOR = -1  # a packed colour is 0..0xFFFFFFFF; this stands for noFill(), noStroke(), noTint()
+NO_COLOR = -1  # a packed colour is 0..0xFFFFFFFF; what is negative stands for noFill(), noStroke()
 
 
 @dataclass(frozen=True, slots=True)

@@ -177,10 +177,11 @@ class Assembler:
             out.commands.append(Settle(stage.target, how))
             return
         if self.rows.kinds[first] == Kind.CLEAR:
-            if stage.depth_write and _is_settle(out.commands[-1:], stage.target):
+            covers = stage.depth_write and stage.clip is None
+            if covers and _is_settle(out.commands[-1:], stage.target):
                 out.commands.pop()  # the old picture does not show
             color = unpack_argb(self.rows.fills[first : first + 1])[0].tolist()
-            out.commands.append(Clear(stage.target, tuple(color), stage.depth_write))
+            out.commands.append(Clear(stage.target, tuple(color), stage.depth_write, stage.clip))
             return
         layers = [layer for layer in Layer if layer in ordered]
         if stage.depth_sort and stage.is_3d:  # sorted fills come last: strokes show through them

@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import Enum
 
-from sketchkit.draw.pipeline import Pipeline
+from sketchkit.draw.pipeline import Clip, Pipeline
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import Layer, VertexBlock
 
 
 @dataclass(frozen=True, slots=True)
 class Clear:
-    """Replace every pixel of a target, alpha included; the clip of draws does not hold here.
+    """Replace every pixel of a target inside of a clip, alpha included.
 
     `color` is straight RGBA, 0..255 each; `depth` says whether depth is reset to the farthest.
     """
@@ -20,6 +20,7 @@ class Clear:
     target: Target
     color: tuple[int, int, int, int]
     depth: bool = True
+    clip: Clip | None = None
 
 
 class Settling(Enum):

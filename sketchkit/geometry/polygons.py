@@ -90,18 +90,16 @@ def tessellate(
     >>> tessellate(square, [4]).triangles.tolist()
     [[3, 1, 2], [0, 1, 3]]
     """
-    if len(points) < 3 or not np.abs(points).max() < FARTHEST:
-        return _result([], [])
-    rings = _project(points.tolist(), ring_lengths)
+    rings = project(points, ring_lengths)
     triangles: list[Triangle] = []
     corners = _convex_corners(rings[0]) if len(rings) == 1 else None
     if corners is not None:
-        _fill_monotone(corners, triangles)
+        fill_monotone(corners, triangles)
         return _result(triangles, [])
     sweep = Sweep(rings, len(points), winding.is_inside)
     sweep.run()
     for corners in sweep.regions:
-        _fill_monotone(corners, triangles)
+        fill_monotone(corners, triangles)
     return _result(triangles, sweep.blends)
 
 
@@ -134,12 +132,16 @@ def _result(triangles: list[Triangle], blends: list[Blend]) -> Tessellation:
     return Tessellation(corners, sources, weights.astype(np.float64))
 
 
-def _project(points: list[Point], ring_lengths: Sequence[int]) -> list[Ring]:
+def project(given: F64, ring_lengths: Sequence[int]) -> list[Ring]:
     """Return the rings in the plane of the sweep, mirrored if they would go round clockwise.
 
     This plane is the one of two axes that the polygon faces most. GLU neither turns nor scales
     what it projects, so the triangles of a tilted polygon are those of its shadow.
+    There are no rings if the points, (n, 3), are too few, or not finite.
     """
+    if len(given) < 3 or not np.abs(given).max() < FARTHEST:
+        return []
+    points: list[Point] = given.tolist()
     bounds = [0, *accumulate(length for length in ring_lengths if length)]
     is_flat = len({z for _, _, z in points}) == 1
     normal = (0.0, 0.0, 1.0) if is_flat else _normal(points, bounds)
@@ -210,11 +212,12 @@ def _convex_corners(ring: Ring) -> list[Corner] | None:
     return corners
 
 
-def _fill_monotone(corners: list[Corner], triangles: list[Triangle]) -> None:
+def fill_monotone(corners: list[Corner], triangles: list[Triangle]) -> None:
     """Append the triangles of a region whose corners, sorted by place, are on two sides.
 
     The corners are worked off from the right. `waiting` are those to be joined to others still:
-    a first one, and then later ones of one side, which bend inwards.
+    a first one, and then later ones of one side, which bend inwards. Each triangle but the last
+    begins with the edge that parts it from the rest of the region.
     """
     if len(corners) < 3:
         return
@@ -226,7 +229,10 @@ def _fill_monotone(corners: list[Corner], triangles: list[Triangle]) -> None:
             _join_all(corner, waiting, triangles)
             del waiting[:-1]
         waiting.append(corner)
-    _join_all(corners[0], waiting, triangles)
+    last = corners[0][1]
+    if not waiting[-1][2]:
+        waiting.reverse()
+    triangles.extend((tip[1], last, base[1]) for base, tip in pairwise(waiting))
 
 
 def _cut_ears(corner: Corner, waiting: list[Corner], triangles: list[Triangle]) -> None:
@@ -238,11 +244,11 @@ def _cut_ears(corner: Corner, waiting: list[Corner], triangles: list[Triangle]) 
         if (bend < 0) if is_upper else (bend > 0):
             return
         waiting.pop()
-        triangles.append((index, base[1], tip[1]) if is_upper else (index, tip[1], base[1]))
+        triangles.append((index, base[1], tip[1]) if is_upper else (base[1], index, tip[1]))
 
 
 def _join_all(corner: Corner, waiting: list[Corner], triangles: list[Triangle]) -> None:
     """Join `corner` to the waiting ones, which are on the other side."""
     index, is_upper = corner[1], waiting[-1][2]
     for right, left in pairwise(waiting):
-        triangles.append((index, right[1], left[1]) if is_upper else (index, left[1], right[1]))
+        triangles.append((left[1], index, right[1]) if is_upper else (index, left[1], right[1]))

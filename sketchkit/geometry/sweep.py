@@ -186,6 +186,12 @@ class Sweep:
     def _cut(self, edge: Edge, vertex: Vertex) -> Edge:
         return edge.cut(vertex)
 
+    def _meet(self, low: Edge, up: Edge, vertex: Vertex) -> None:
+        """Let both edges end at `vertex`."""
+        for edge in (up, low):
+            if edge.right is not vertex:
+                self._cut(edge, vertex)
+
     def _drop(self, edge: Edge) -> None:
         edge.drop()
 
@@ -274,8 +280,7 @@ class Sweep:
         if low.right is not stop and up.right is not stop and self._crossings_left:
             self._crossings_left -= 1
             vertex = self._crossing_vertex(place, up, low)
-            self._cut(up, vertex)
-            self._cut(low, vertex)
+            self._meet(low, up, vertex)
 
     def _crossing_vertex(self, place: Place, up: Edge, low: Edge) -> Vertex:
         """Return the vertex where two edges cross: half of either edge, the nearer end more."""
@@ -296,10 +301,10 @@ class Sweep:
         low_end, up_end = low.right.place, up.right.place
         if low_end < up_end:
             if side(up.left.place, low_end, up_end) >= 0:
-                self._cut(up, low.right)
+                self._meet(low, up, low.right)
         elif low_end > up_end:
             if side(low.left.place, up_end, low_end) <= 0:
-                self._cut(low, up.right)
+                self._meet(low, up, up.right)
         elif low.right is not up.right:
             self._stops = [stop for stop in self._stops if stop[2] is not up.right]
             heapq.heapify(self._stops)

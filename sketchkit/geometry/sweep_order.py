@@ -74,11 +74,14 @@ class OrderedSweep(Sweep):
         self._halves[rest] = half.twin
         if vertex is self._vertex:
             self._mesh.splice(self._leaving[vertex], half.turned)
-        elif vertex in self._leaving:
-            self._splices.append((half, self._leaving[vertex]))
         else:
-            self._leaving[vertex] = half
+            self._leaving.setdefault(vertex, half)
         return rest
+
+    def _meet(self, low: Edge, up: Edge, vertex: Vertex) -> None:
+        super()._meet(low, up, vertex)
+        low_half, up_half = self._halves[low], self._halves[up]
+        self._splices.append((low_half.turned_back, up_half.turned_back))
 
     def _drop(self, edge: Edge) -> None:
         super()._drop(edge)

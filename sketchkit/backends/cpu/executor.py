@@ -47,8 +47,8 @@ class CpuBackend:
         """Carry out the commands in order."""
         for command in commands.commands:
             match command:
-                case Clear(target, color, depth):
-                    self._frame(target).clear(color, depth=depth)
+                case Clear(target, color, depth, clip):
+                    self._frame(target).clear(window_of(target, clip), color, depth=depth)
                 case Settle(target, how):
                     self._frame(target).settle(how)
                 case Draw(layer=layer):
@@ -95,7 +95,7 @@ class CpuBackend:
         pipeline = command.pipeline
         frame = self._frame(pipeline.target)
         triangles = set_up(clip_triangles(assemble(block, command)), frame)
-        window = window_of(pipeline)
+        window = window_of(pipeline.target, pipeline.clip)
         reached = triangles.within(window.widened())
         if reached.is_empty:
             return

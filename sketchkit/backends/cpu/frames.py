@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.draw.commands import Settling
-from sketchkit.draw.pipeline import Pipeline
+from sketchkit.draw.pipeline import Clip, Pipeline
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import F32, U8
 
@@ -45,7 +45,7 @@ class SampleGrid(NamedTuple):
 
 _GRIDS = {
     1: SampleGrid(0.5, ((0.0, 0.0),), 0.0),
-    # Mesa's places; Processing's frames are made with them (oracle README, Rasterisation).
+    # Mesa's places; Processing's frames are made with them .
     4: SampleGrid(0.0, ((0.375, 0.125), (0.875, 0.375), (0.125, 0.625), (0.625, 0.875)), 0.5),
 }
 
@@ -111,11 +111,12 @@ class Frame:
             self._depths = np.full(self.colors.shape[:3], FARTHEST << 32 | NO_TRIANGLE)
         return self._depths
 
-    def clear(self, color: tuple[int, int, int, int], *, depth: bool) -> None:
-        """Give every sample a colour and, if `depth`, make everything farthest."""
-        self.colors.view(np.uint32)[...] = np.array(color, np.uint8).view(np.uint32)
-        if depth:
-            self._depths = None
+    def clear(self, window: Window, color: tuple[int, int, int, int], *, depth: bool) -> None:
+        """Give every sample of a window a colour and, if `depth`, make it farthest."""
+        packed = np.array(color, np.uint8).view(np.uint32)
+        window.part_of(self.colors.view(np.uint32))[...] = packed
+        if depth and self._depths is not None:
+            window.part_of(self._depths)[...] = FARTHEST << 32 | NO_TRIANGLE
 
     def settle(self, how: Settling) -> None:
         """Begin a frame over the old picture, and make everything farthest."""
@@ -145,9 +146,8 @@ class Surface(NamedTuple):
     pipeline: Pipeline
 
 
-def window_of(pipeline: Pipeline) -> Window:
-    """Return what a pipeline's clip, given from the top of the picture, leaves of the frame."""
-    target, clip = pipeline.target, pipeline.clip
+def window_of(target: Target, clip: Clip | None) -> Window:
+    """Return what a clip, given from the top of the picture, leaves of the frame."""
     whole = Window(0, 0, target.width, target.height)
     if clip is None:
         return whole

@@ -12,7 +12,7 @@ from sketchkit.backends.gl.programs import Programs, compile_pair, set_uniforms
 from sketchkit.backends.gl.targets import Surfaces
 from sketchkit.backends.gl.textures import Textures
 from sketchkit.draw.commands import Clear, Draw, DrawList, Settle
-from sketchkit.draw.pipeline import Blend, Pipeline
+from sketchkit.draw.pipeline import Blend, Clip, Pipeline
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.vertex import U8
 
@@ -48,6 +48,7 @@ class GlBackend:
 
     def __init__(self, context: moderngl.Context, origin: str) -> None:
         self.context = context
+        context.gc_mode = "auto"  # what nothing refers to any more is released on the GPU too
         self.origin = origin
         self._programs = Programs(context)
         self._buffers = Buffers(context)
@@ -109,10 +110,11 @@ class GlBackend:
 
     def _clear(self, command: Clear) -> None:
         framebuffer = self._surfaces.get(command.target).framebuffer
-        framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget that it may be
+        framebuffer.scissor = _scissor(command.target, command.clip)  # type: ignore[assignment] # the stubs forget None
         framebuffer.depth_mask = command.depth
         red, green, blue, alpha = (channel / 255 for channel in command.color)
         framebuffer.clear(red, green, blue, alpha, depth=1.0)
+        framebuffer.scissor = None  # type: ignore[assignment] # the same
 
     def _settle(self, command: Settle) -> None:
         if self._first_sample is None:
@@ -132,7 +134,7 @@ class GlBackend:
         framebuffer = self._surfaces.get(target).framebuffer
         framebuffer.use()
         framebuffer.depth_mask = pipeline.depth_write
-        framebuffer.scissor = _scissor(pipeline)  # type: ignore[assignment] # the same
+        framebuffer.scissor = _scissor(target, pipeline.clip)  # type: ignore[assignment] # the same
         (context.enable if pipeline.depth_test else context.disable)(moderngl.DEPTH_TEST)
         context.depth_func = "<="
         # Clockwise as seen on the picture is the front; OpenGL counts with y up.
@@ -184,9 +186,8 @@ class GlBackend:
         self.context.release()
 
 
-def _scissor(pipeline: Pipeline) -> tuple[int, int, int, int] | None:
-    """Return the clip in the framebuffer's own rows."""
-    clip, target = pipeline.clip, pipeline.target
+def _scissor(target: Target, clip: Clip | None) -> tuple[int, int, int, int] | None:
+    """Return a clip in the framebuffer's own rows."""
     if clip is None:
         return None
     y = clip.top if target.top_row_first else target.height - clip.top - clip.height
