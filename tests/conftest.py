@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 from sketchkit.api.graphics import PGraphics
 from sketchkit.backends.cpu.executor import CpuBackend
@@ -15,6 +16,10 @@ from tests import canvases
 from tests.goldens import Failures, Goldens
 
 FAILURES = pytest.StashKey[Failures]()
+
+# The same examples at every run, and no failure because the machine was busy.
+settings.register_profile("repeatable", derandomize=True, deadline=None)
+settings.load_profile("repeatable")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -1,4 +1,4 @@
-"""Every scene on every renderer: as text, on the CPU, with OpenGL, and against Processing.
+"""Every scene on every renderer: as text, on the CPU, with OpenGL, and against Processing's.
 
 `tests/scenes/make_processing_goldens.py` says how Processing's pictures are made.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from sketchkit.backends.cpu.executor import CpuBackend
@@ -15,9 +16,12 @@ from sketchkit.backends.gl.executor import GlBackend
 from sketchkit.backends.listing import ListingBackend
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.vertex import U8
+from sketchkit.runtime.headless import Launch
+from sketchkit.runtime.headless import render as runtime_render
 from tests.canvases import new_canvas
 from tests.goldens import Goldens
 from tests.scenes import SCENES, TOPICS, Scene, registry
+from tests.scenes.make_processing_goldens import sketch_of
 
 GL_SHARE = 1 - 1 / 2000
 PROCESSING_TOLERANCE = 2
@@ -90,6 +94,20 @@ def test_gl_agrees_with_processing(scene: Scene, goldens: Goldens, gl_backend: G
         least_share=scene.processing_share,
         label="gl",
     )
+
+
+@every_scene
+def test_scene_as_a_sketch_draws_the_same(scene: Scene, tmp_path: Path) -> None:
+    sketch = tmp_path / "sketch.py"
+    sketch.write_text(sketch_of(scene), encoding="utf-8")
+
+    (frame,) = runtime_render(Launch(sketch, refuse), [1], CpuBackend())
+
+    assert np.array_equal(frame.pixels, on_cpu(scene)[:, :, :3])
+
+
+def refuse(path: Path, line: int, text: str) -> None:
+    raise AssertionError(f"{path.name}, line {line}: {text}")
 
 
 def test_every_file_of_scenes_is_a_topic() -> None:

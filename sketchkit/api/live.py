@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 Getter = TypeVar("Getter", bound=Callable[[Any], object])  # Any: a getter of whatever class
 
 _live_getters: set[Callable[[Any], object]] = set()  # Any: as above
+_live_names: dict[type, tuple[str, ...]] = {}
 
 
 def live(getter: Getter) -> Getter:
@@ -20,13 +21,15 @@ def live(getter: Getter) -> Getter:
     return getter
 
 
-def live_names(kind: type) -> list[str]:
-    """Return the names of the live properties of a class."""
-    return [
-        name
-        for name in dir(kind)
-        if isinstance(value := getattr(kind, name), property) and value.fget in _live_getters
-    ]
+def live_names(kind: type) -> tuple[str, ...]:
+    """Return the names of the live properties of a class; looked for once, used in every frame."""
+    if kind not in _live_names:
+        _live_names[kind] = tuple(
+            name
+            for name in dir(kind)
+            if isinstance(value := getattr(kind, name), property) and value.fget in _live_getters
+        )
+    return _live_names[kind]
 
 
 class LiveFloat(float):

@@ -14,12 +14,16 @@ from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.host import PSurface
 from sketchkit.api.live import live_names
 from sketchkit.api.overlaps import opener, overlaps
+from sketchkit.api.pfont import PFont
+from sketchkit.api.pimage import PImage
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
 from sketchkit.api.pvector import PVector
 from sketchkit.api.sketch import Sketch
 from sketchkit.core import constants
 
-CLASSES: tuple[type, ...] = (KeyEvent, MouseEvent, PMatrix2D, PMatrix3D, PSurface, PVector)
+CLASSES: tuple[type, ...] = (
+    *(KeyEvent, MouseEvent, PFont, PImage, PMatrix2D, PMatrix3D, PSurface, PVector),
+)
 
 Names = dict[str, object]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes.util
 import platform
 from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, version
@@ -14,15 +13,11 @@ from rich.table import Table
 from rich.text import Text
 
 from sketchkit import __version__
-from sketchkit.core.errors import SketchError
-from sketchkit.draw.backend import Backend
-from sketchkit.runtime.backends import RendererError, open_backend
-from sketchkit.runtime.window import Window, WindowError
-from sketchkit.stubs import blank_canvas
+from sketchkit.cli.probes import probed
 
 
 class Finding(NamedTuple):
-    """Something that was looked at: whether it works, what was seen, and what to do about it."""
+    """Something that was looked at: whether it works, what was seen, and what to do if not."""
 
     what: str
     works: bool
@@ -32,9 +27,27 @@ class Finding(NamedTuple):
 
 PACKAGES = ("numpy", "pillow", "moderngl", "glfw", "click", "rich", "font-source-sans-pro")
 
-GL_ADVICE = "Linux: apt install libegl1 libgl1-mesa-dri. Else: a newer graphics driver."
-OSMESA_ADVICE = "Only needed where EGL is missing. Linux: apt install libosmesa6."
-WINDOW_ADVICE = "sketchkit render works without. On a server: xvfb-run sketchkit run ..."
+# What is tried out: its name in probes.py, what it is called, and what to do if it fails.
+TRIED = (
+    (
+        "gl",
+        "OpenGL without a window",
+        "Linux: apt install libegl1 libgl1-mesa-dri. Elsewhere: a newer graphics driver. "
+        "Without it sketchkit render draws with the CPU.",
+    ),
+    (
+        "osmesa",
+        "OSMesa",
+        "Only needed where OpenGL without a window fails. Linux: apt install libosmesa6.",
+    ),
+    (
+        "window",
+        "a window",
+        "sketchkit render needs none. On a server: xvfb-run sketchkit run ...",
+    ),
+    ("cpu", "CPU renderer", "Reinstall: pip install --force-reinstall sketchkit numpy"),
+    ("font", "default font", "pip install font-source-sans-pro"),
+)
 
 
 @click.command(name="doctor")
@@ -55,11 +68,9 @@ def findings() -> Iterator[Finding]:
     yield Finding("system", True, platform.platform())
     for package in PACKAGES:
         yield _package(package)
-    yield _renderer("OpenGL without a window", "gl", GL_ADVICE)
-    yield _osmesa()
-    yield _window()
-    yield _renderer("CPU renderer", "cpu", "")
-    yield _font()
+    for name, what, advice in TRIED:
+        works, seen = probed(name)
+        yield Finding(what, works, seen, advice)
 
 
 def _package(name: str) -> Finding:
@@ -67,38 +78,3 @@ def _package(name: str) -> Finding:
         return Finding(name, True, version(name))
     except PackageNotFoundError:
         return Finding(name, False, "not installed", f"pip install {name}")
-
-
-def _renderer(what: str, name: str, advice: str) -> Finding:
-    try:
-        backend = open_backend(name).backend
-    except RendererError as reason:
-        return Finding(what, False, str(reason), advice)
-    seen = _described(backend)
-    backend.close()
-    return Finding(what, True, seen)
-
-
-def _described(backend: Backend) -> str:
-    return ", ".join(backend.describe().values())
-
-
-def _osmesa() -> Finding:
-    library = ctypes.util.find_library("OSMesa")
-    return Finding("OSMesa", bool(library), library or "not installed", OSMESA_ADVICE)
-
-
-def _window() -> Finding:
-    try:
-        with Window("sketchkit doctor") as window:
-            return Finding("a window", True, _described(window.backend))
-    except WindowError as reason:
-        return Finding("a window", False, str(reason), WINDOW_ADVICE)
-
-
-def _font() -> Finding:
-    try:
-        width = blank_canvas().textWidth("Hello")
-    except (SketchError, ModuleNotFoundError) as reason:
-        return Finding("default font", False, str(reason), "pip install font-source-sans-pro")
-    return Finding("default font", True, f"Source Sans Pro ('Hello' is {width:g} wide)")

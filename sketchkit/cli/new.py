@@ -11,7 +11,7 @@ import click
 
 from sketchkit.api.names import names_of
 from sketchkit.assets.output import write_file
-from sketchkit.runtime.source import FOUNDATIONS
+from sketchkit.runtime.checks import FOUNDATIONS
 from sketchkit.stubs import blank_sketch, stub
 
 SKETCH = """\

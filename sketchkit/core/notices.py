@@ -4,12 +4,13 @@ They are Python's own warnings, so that the standard tools (filters, `pytest.war
 whoever runs the sketch decides how they look.
 """
 
+import os
 import sys
 import warnings
 from pathlib import Path
 from types import FrameType
 
-PACKAGE = str(Path(__file__).parents[1])
+PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
 
 class SketchWarning(UserWarning):

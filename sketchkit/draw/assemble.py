@@ -73,7 +73,9 @@ class Assembler:
             return np.zeros((1, 1, 3), np.float32)
         if fills.normals is None:
             a, b, c = (np.stack([x[:, i], y[:, i], z[:, i]], axis=1) for i in range(3))
-            return triangle_normals(a, b, c)[:, None]
+            normals = triangle_normals(a, b, c)
+            givers = fills.normal_givers
+            return normals[:, None] if givers is None else normals[givers]
         inverse = self._normal_matrices()[self.rows.states[fills.rows]]  # (n, 3, 3)
         normals = np.broadcast_to(fills.normals, (len(inverse), *fills.normals.shape[1:]))
         turned: F32 = (normals @ inverse).astype(np.float32)

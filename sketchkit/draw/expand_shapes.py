@@ -16,6 +16,7 @@ from sketchkit.draw.pieces import Expansion, Fills
 from sketchkit.draw.recorder import ShapeRun
 from sketchkit.draw.rows import Rows
 from sketchkit.geometry.polygons import interpolate, tessellate
+from sketchkit.geometry.primitives import normal_givers
 from sketchkit.geometry.shapes import (
     TRIANGLE,
     Faces,
@@ -262,6 +263,8 @@ def _fill_polygon(rows: Rows, corners: Corners, row: int, shape: ShapeRun, out: 
     if shape.has_normals:
         normals = interpolate(found, corners.normals[run].astype(np.float64))
         fills.normals = normals[found.triangles].astype(np.float32)
+    elif rows.is_lit and np.ptp(points[:, 2]):  # one normal will do for a flat polygon
+        fills.normal_givers = normal_givers(points, lengths)
     if shape.texture is not None:
         fills.textures = [shape.texture] * len(found.triangles)
         fills.ambient = np.full((1, 1), rows.fills[row])

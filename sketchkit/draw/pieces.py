@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from sketchkit.draw.resources import Pixels
 
 F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
+I32 = NDArray[np.int32]
 I64 = NDArray[np.int64]
 Bool = NDArray[np.bool_]
 
@@ -37,6 +38,8 @@ class Fills:
     textures : list of Pixels, one for each piece, or None
     normals : (n or 1, k or 1, 3) float32, object space, or None
         None: from the corners of each piece, in eye space.
+    normal_givers : (n, 3) int32 or None
+        Where `normals` is None: whose normal each corner takes; None: that of its own piece.
     ambient : (n, k) or (n, 1) int64, packed ARGB, or None
         Ambient colour where `ambient()` was not called; None: that of `colors`.
     attributes : (n, k) int64 or None
@@ -55,6 +58,7 @@ class Fills:
     uvs: F32 | None = None
     textures: list[Pixels] | None = None
     normals: F32 | None = None
+    normal_givers: I32 | None = None
     ambient: I64 | None = None
     attributes: I64 | None = None
 

@@ -88,7 +88,7 @@ def tessellate(
     --------
     >>> square = np.array([(0, 0, 0), (9, 0, 0), (9, 9, 0), (0, 9, 0)], float)
     >>> tessellate(square, [4]).triangles.tolist()
-    [[3, 1, 2], [0, 1, 3]]
+    [[3, 1, 2], [3, 0, 1]]
     """
     rings = project(points, ring_lengths)
     triangles: list[Triangle] = []

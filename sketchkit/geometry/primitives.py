@@ -1,4 +1,4 @@
-"""Fans and strips: which triangle of a polygon gives each corner its normal, if the sketch does not.
+"""Fans and strips: which triangle gives each corner of a polygon the normal that it lacks.
 
 GLU hands triangles over in groups as large as it finds them: fans, strips, and single triangles.
 Corners that groups share become one corner for each, and Processing computes normals for these:
@@ -135,7 +135,7 @@ class _Faces:
         return rows, tips, edge
 
     def _fan(self, edge: Edge) -> _Group:
-        """Return the largest fan around the first point of an edge, with the triangle to its left."""
+        """Return the largest fan around the first point of an edge, its left triangle in it."""
         rows, _, _ = self.walk(edge, FAN)
         rows_back, _, start = self.walk(edge, FAN, is_back=True)
         self._free(rows + rows_back)

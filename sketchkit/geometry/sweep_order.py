@@ -40,7 +40,9 @@ class OrderedSweep(Sweep):
         self._tops: dict[int, Half] = {}  # above each finished region, by the id of its corners
         self._bridges: dict[Edge | None, _Bridge] = {}  # by the edge below
         self._splices: list[tuple[Half, Half]] = []  # where edges cross: GLU does these last
-        self._lefts: list[Half] = []  # those that leave the vertex of the stop, from the top down
+        self._vertex: Vertex | None = None  # that of the stop
+        self._position = 0  # of the stop on the line
+        self._lefts: list[Half] = []  # half-edges from the stop to the left, from the top down
         super().__init__(rings, first_free, is_inside)
         self._lowest, self._highest = self._mesh.edge(), self._mesh.edge()
 
@@ -138,6 +140,7 @@ class OrderedSweep(Sweep):
         super()._start_regions(vertex, winding, started)
 
     def _cross_edges(self) -> None:
+        """Make one vertex of the two where the edges that met first have been cut."""
         low, up = self._splices.pop(0)
         self._mesh.splice(low, up.turned)
 

@@ -28,6 +28,11 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.assets.paths import set_sketch_folder, sketch_folder
 from sketchkit.core import running
 from sketchkit.core.notices import SketchWarning
+from sketchkit.runtime.checks import (
+    begins_without_smoothing,
+    refuse_drawing_before_size,
+    refuse_hidden_modules,
+)
 from sketchkit.runtime.siblings import SiblingFinder
 from sketchkit.runtime.source import Source
 
@@ -120,10 +125,11 @@ class Program:
         Exception
             Whatever they raise.
         """
-        self.source.refuse_hidden_modules()
+        refuse_hidden_modules(self.source)
+        refuse_drawing_before_size(self.source)
         for line, text in self.source.remarks:
             self._tell(self.source.path, line, text)
-        if self.source.begins_without_smoothing():
+        if begins_without_smoothing(self.source):
             self.sketch.start_without_smoothing()
         exec(self.source.code, self.namespace)
         for name in FLAGS:

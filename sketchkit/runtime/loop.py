@@ -5,6 +5,7 @@ It knows no window and no clock: who drives it says when the next frame is due.
 
 from __future__ import annotations
 
+import sys
 from collections import deque
 
 from sketchkit.api._sketch_parts import Phase
@@ -56,8 +57,8 @@ class Loop:
             self.program.call("settings")
             self._progress.phase = Phase.SETUP
             self.program.call("setup")
-        except SystemExit:  # as exit(), but at once
-            self._progress.is_finished = True
+        except SystemExit as call:
+            self._leave(call)
         self._progress.phase = Phase.DRAW
         self._canvas.end_frame()
 
@@ -77,8 +78,8 @@ class Loop:
                 self._draw()
             while self._events:
                 dispatch(self.program, self._events.popleft())
-        except SystemExit:
-            self._progress.is_finished = True
+        except SystemExit as call:
+            self._leave(call)
         self._canvas.end_frame()
         return True
 
@@ -86,6 +87,12 @@ class Loop:
         """Call what the sketch wants to be called at its end."""
         for name in LAST_CALLS:
             self.program.call(name)
+
+    def _leave(self, call: SystemExit) -> None:
+        """Do what `sys.exit()` asks for: as `exit()`, but at once, and perhaps with last words."""
+        self._progress.is_finished = True
+        if isinstance(call.code, str):
+            print(call.code, file=sys.stderr)
 
     def _draw(self) -> None:
         pointer = self._sketch.pointer

@@ -88,14 +88,14 @@ class Player:
         say: Callable[[Report], None],
         now: Callable[[], float] = time.perf_counter,
     ) -> None:
-        self._path = path
+        self._path = path.absolute()  # a sketch is run in its own folder
         self._screen = screen
         self._args = args
         self._tell = tell
         self._say = say
         self._now = now
         self._picture: Target | None = None
-        self._watch = Watch([path])
+        self._watch = Watch([self._path])
 
     def play(self) -> bool:
         """Play until the window is closed; tell whether all went well at the end."""

@@ -17,11 +17,12 @@ from typing import NamedTuple
 
 from sketchkit.core.errors import SketchError
 from sketchkit.core.notices import PACKAGE
+from sketchkit.runtime.checks import EarlyError
 from sketchkit.runtime.loader import Program
 from sketchkit.runtime.mistakes.explain import explain
 from sketchkit.runtime.mistakes.mistake import Mistake
 from sketchkit.runtime.mistakes.syntax import explain_syntax
-from sketchkit.runtime.source import HiddenModuleError, Position, Source
+from sketchkit.runtime.source import Position, Source
 
 CALLS_SHOWN = 3
 
@@ -132,7 +133,7 @@ def report_of(error: BaseException, path: Path, program: Program | None = None) 
     trace = "".join(traceback.format_exception(error))
     if isinstance(error, SyntaxError):
         return _syntax_report(error, path, trace)
-    if isinstance(error, HiddenModuleError):
+    if isinstance(error, EarlyError):
         text = Source.read(error.path).line(error.line)
         return Report(error.message, error.path, error.line, text, traceback=trace)
     steps = list(_steps(error.__traceback__, program)) if program else []

@@ -9,7 +9,8 @@ from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from pathlib import Path
 from types import CodeType, ModuleType
 
-from sketchkit.runtime.source import FOUNDATIONS, Source
+from sketchkit.runtime.checks import FOUNDATIONS, refuse_hidden_modules
+from sketchkit.runtime.source import Source
 
 Names = dict[str, object]
 
@@ -31,7 +32,7 @@ class SiblingLoader(SourceFileLoader):
     def get_code(self, fullname: str) -> CodeType:
         """Return the module's code, from its source: nothing is cached beside a sketch."""
         source = self.sources[self.path] = Source.read(Path(self.path))
-        source.refuse_hidden_modules()
+        refuse_hidden_modules(source)
         return source.code
 
 

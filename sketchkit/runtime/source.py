@@ -1,45 +1,16 @@
-"""A student's file as text, syntax tree and code; and what can be told before it runs."""
+"""A student's file as text, syntax tree and code."""
 
 from __future__ import annotations
 
 import ast
 import io
-import sys
 import tokenize
 import warnings
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from types import CodeType
 from typing import NamedTuple
-
-from sketchkit.core.errors import SketchError
-
-# Packages that sketchkit itself stands on: a file of the sketch with such a name hides them.
-FOUNDATIONS = frozenset(
-    {"PIL", "click", "glfw", "moderngl", "numpy", "rich", "sketchkit", "trimesh"}
-)
-SMOOTHING_CALLS = ("smooth", "noSmooth")
-
-
-class HiddenModuleError(SketchError):
-    """A file of the sketch has the name of a module that the sketch imports.
-
-    Attributes
-    ----------
-    path, line :
-        Where the import is.
-    """
-
-    def __init__(self, name: str, path: Path, line: int) -> None:
-        whose = "Python's own" if name in sys.stdlib_module_names else "the installed"
-        super().__init__(
-            f"Your file {name}.py hides {whose} module {name}.",
-            hint=f"Give your file another name, say my_{name}.py.",
-        )
-        self.path = path
-        self.line = line
 
 
 class Position(NamedTuple):
@@ -104,28 +75,6 @@ class Source:
         self.remarks.extend((warning.lineno, f"{warning.message}") for warning in caught)
         return code
 
-    def begins_without_smoothing(self) -> bool:
-        """Tell whether the sketch asks for hard edges at its beginning.
-
-        Processing takes `noSmooth()` out of `setup()` and applies it before the canvas is made, so
-        that nothing drawn is lost by it.
-        """
-        calls = [name for name in _opening_calls(self.tree) if name in SMOOTHING_CALLS]
-        return bool(calls) and calls[-1] == "noSmooth"
-
-    def refuse_hidden_modules(self) -> None:
-        """Raise an error if the sketch would import its own file instead of a standard module.
-
-        Raises
-        ------
-        HiddenModuleError
-            If it would.
-        """
-        for name, line in _imported_names(self.tree):
-            is_taken = name in sys.stdlib_module_names or name in FOUNDATIONS
-            if is_taken and _module_file(self.path.parent, name):
-                raise HiddenModuleError(name, self.path, line)
-
     def line(self, number: int) -> str:
         """Return a line, counted from 1; nothing if there is no such line."""
         return self.lines[number - 1] if 1 <= number <= len(self.lines) else ""
@@ -160,34 +109,6 @@ class Source:
                 case ast.FunctionDef(name=bound) | ast.ClassDef(name=bound) if bound == name:
                     return node.lineno
         return 1
-
-
-def _opening_calls(tree: ast.Module) -> Iterator[str]:
-    """Yield the functions called in lines of their own, in `setup()` or in a sketch without it."""
-    setup = next(
-        (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == "setup"),
-        tree,
-    )
-    for statement in setup.body:
-        match statement:
-            case ast.Expr(value=ast.Call(func=ast.Name(id=name))):
-                yield name
-
-
-def _imported_names(tree: ast.Module) -> Iterator[tuple[str, int]]:
-    """Yield the first part of the name of each module that is imported, and the line."""
-    for node in ast.walk(tree):
-        match node:
-            case ast.Import(names=aliases):
-                for alias in aliases:
-                    yield alias.name.partition(".")[0], node.lineno
-            case ast.ImportFrom(module=str(module), level=0):
-                yield module.partition(".")[0], node.lineno
-
-
-def _module_file(folder: Path, name: str) -> Path | None:
-    candidates = (folder / f"{name}.py", folder / name / "__init__.py")
-    return next((path for path in candidates if path.is_file()), None)
 
 
 def _characters(line: str, column: int) -> int:

@@ -8,6 +8,8 @@ from typing import Any
 
 import glfw
 
+from sketchkit.api.host import NoWindow
+from sketchkit.backends.gl.context import NoContextError
 from sketchkit.backends.gl.executor import GlBackend
 from sketchkit.core.constants import ARROW, CROSS, HAND, MOVE, TEXT, WAIT
 from sketchkit.draw.resources import Target
@@ -62,7 +64,10 @@ class Window:
         if not self._window:
             raise WindowError(_reason())
         glfw.make_context_current(self._window)
-        self.backend = GlBackend.for_window()
+        try:
+            self.backend = GlBackend.for_window()
+        except NoContextError as reason:
+            raise WindowError(str(reason)) from reason
         self._size = FIRST_SIZE, FIRST_SIZE  # the canvas's: the window manager may want another
         self._interval: int | None = None
         self._keys = Keys()
@@ -104,8 +109,8 @@ class Window:
 
     def pace(self, frames_per_second: float) -> None:
         """Wait for the display from now on, if it is no faster than the sketch."""
-        mode = glfw.get_video_mode(glfw.get_primary_monitor())
-        waits = bool(mode and frames_per_second >= mode.refresh_rate - 1)
+        mode = _video_mode()
+        waits = mode is not None and frames_per_second >= mode.refresh_rate - 1
         if waits != self._interval:
             glfw.swap_interval(int(waits))
             self._interval = waits
@@ -122,8 +127,8 @@ class Window:
     @property
     def display_size(self) -> tuple[int, int]:
         """Width and height of the screen."""
-        width, height = glfw.get_video_mode(glfw.get_primary_monitor()).size
-        return width, height
+        mode = _video_mode()
+        return (mode.size.width, mode.size.height) if mode else NoWindow.display_size
 
     @property
     def position(self) -> tuple[int, int]:
@@ -143,10 +148,9 @@ class Window:
 
     def set_fullscreen(self) -> None:
         """Cover the screen."""
-        monitor = glfw.get_primary_monitor()
         width, height = self._size = self.display_size
-        rate = glfw.get_video_mode(monitor).refresh_rate
-        glfw.set_window_monitor(self._window, monitor, 0, 0, width, height, rate)
+        monitor = glfw.get_primary_monitor()
+        glfw.set_window_monitor(self._window, monitor, 0, 0, width, height, glfw.DONT_CARE)
 
     def set_title(self, title: str) -> None:
         """Write on the window's edge."""
@@ -220,6 +224,12 @@ class Window:
 
     def _on_position(self, _: object, x: int, y: int) -> None:
         self._events.append(WindowEvent("windowMoved"))
+
+
+def _video_mode() -> Any:  # noqa: ANN401 # Any: GLFW's own structure
+    """Return size and refresh rate of the screen; None if there is none, only a display."""
+    monitor = glfw.get_primary_monitor()
+    return glfw.get_video_mode(monitor) if monitor else None
 
 
 def _millis() -> int:

@@ -13,7 +13,7 @@ class Weather:
 
 
 def test_only_marked_properties_are_live() -> None:
-    assert live_names(Weather) == ["wind"]
+    assert live_names(Weather) == ("wind",)
 
 
 def test_number_that_is_a_function() -> None:

@@ -237,6 +237,21 @@ class TestVertices:
 
         assert (x / y, z) == (0.5, 0)  # stretched along x, a slope leans less that way
 
+    def test_triangles_of_a_bent_polygon_share_normals(self, deep):
+        deep.lights()
+        deep.noStroke()
+        deep.beginShape()
+        for place in ((0, 0, 0), (9, 1, 0), (8, 9, 0), (1, 8, 5)):
+            deep.vertex(*place)
+        deep.endShape()
+
+        block = fills(deep)
+
+        corners = zip(block.positions.tolist(), block.normals.tolist(), strict=True)
+        normals = {(*place, *normal) for place, normal in corners}
+        assert len(normals) == 4  # one for each point, of the six corners
+        assert len({corner[3:] for corner in normals}) == 2
+
     def test_material_belongs_to_its_vertices(self, deep):
         deep.lights()
         deep.noStroke()

@@ -18,7 +18,7 @@ SOLIDS = {
     "coarse sphere": unit_sphere(3, 2),
     "tall sphere": unit_sphere(5, 9),
 }
-details = st.tuples(st.integers(3, 24), st.integers(2, 24))
+details = st.tuples(st.integers(3, 12), st.integers(2, 12))
 
 every_solid = pytest.mark.parametrize("solid", SOLIDS.values(), ids=SOLIDS)
 

@@ -143,6 +143,19 @@ def test_saved_sketch_starts_again(tmp_path: Path) -> None:
     assert [width for _, width in (screen.shown[0], screen.shown[-1])] == [20, 300]
 
 
+def test_relative_path_is_followed_from_the_sketchs_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    sketch = written(tmp_path, "size(20, 20)", "folder/sketch.py")
+    screen.plan[0.5] = saved(sketch, "size(300, 20)")
+    monkeypatch.chdir(tmp_path)
+
+    play(Path("folder/sketch.py"), screen)
+
+    assert screen.shown[-1][1] == 300
+
+
 def test_saved_module_starts_the_sketch_again(tmp_path: Path) -> None:
     screen = FakeScreen(closes_s=1.0)
     helper = written(tmp_path, "side = 20", "helpers.py")

@@ -68,8 +68,8 @@ def case(name: str, text: str, *parts: str) -> object:
         case(
             "too few arguments",
             "def draw():\n    rect(10, 20, 30)\n",
-            "line 2: rect() takes at least 4 numbers: a, b, c, d",
-            "Got 3: rect(10, 20, 30).",
+            "line 2: rect() takes 4, 5 or 8 numbers: x, y, width, height",
+            "Got 3: rect(10, 20, 30).  For a square write square(10, 20, 30).",
         ),
         case("too many arguments", "radians(1, 2)", "radians() takes 1 number", "Got 2"),
         case("text for a number", "rect(1, 'a', 3, 4)", "text for number 2"),
@@ -80,6 +80,12 @@ def case(name: str, text: str, *parts: str) -> object:
             "line 3: tree() takes 2 values: n, m.",
             "Got 1: tree(1).",
             "defined in line 1",
+        ),
+        case(
+            "function of a module hides",
+            "from math import *\ndist(1, 2, 3, 4)",
+            "dist() takes 2 values.",
+            "This is dist() of math; it hides sketchkit's.",
         ),
         case("method", "v = PVector(1, 2)\nv.cross()", "v.cross() takes", "Got 0"),
         case(

@@ -66,7 +66,7 @@ def parallel_projection(g: PGraphics) -> None:
 def frustum_aside(g: PGraphics) -> None:
     g.background(220, 230, 240)
     g.frustum(-6, 14, -12, 8, 16, 900)
-    g.translate(26, 30)
+    g.translate(56, 42)
     g.rotateX(radians(20))
     _three_boxes(g)
 

@@ -88,3 +88,12 @@ def clip_cuts_everything(g: PGraphics) -> None:
     g.rect(30, 40, 80, 40)
     g.noClip()
     g.line(4, 96, 96, 60)
+
+
+@scene()
+def background_keeps_to_the_clip(g: PGraphics) -> None:
+    g.background(60, 120, 60)
+    g.clip(14, 22, 60, 40)
+    g.background(240, 200, 40)
+    g.strokeWeight(3)
+    g.circle(60, 50, 60)

@@ -23,7 +23,7 @@ from types import FunctionType
 
 from PIL import Image
 
-from sketchkit.core.constants import P3D
+from sketchkit.core.constants import JAVA2D, P2D, P3D
 from tests.scenes import SCENES, Scene
 
 GOLDENS = Path(__file__).parents[1] / "golden" / "processing"
@@ -63,7 +63,7 @@ def sketch_of(scene: Scene) -> str:
     functions = [*_called_functions(scene.draw), scene.draw]
     definitions = [_definition(function) for function in functions]
     definitions[-1].name = "draw"
-    renderer = "P3D" if scene.renderer == P3D else "P2D"
+    renderer = {P2D: "P2D", P3D: "P3D", JAVA2D: "JAVA2D"}[scene.renderer]
     lines = [
         *sorted({line for function in functions for line in _math_imports(function)}),
         "def setup():",

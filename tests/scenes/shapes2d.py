@@ -8,6 +8,7 @@ from sketchkit.core.constants import (
     CHORD,
     CORNER,
     CORNERS,
+    JAVA2D,
     OPEN,
     P3D,
     PIE,
@@ -17,6 +18,8 @@ from sketchkit.core.constants import (
     SQUARE,
 )
 from tests.scenes.registry import scene
+
+OF_JAVA = "Java's own rasteriser has more than four steps along an edge"
 
 
 @scene()
@@ -169,3 +172,28 @@ def hard_edges_without_smoothing(g: PGraphics) -> None:
     g.line(12, 92, 90, 55)
     g.strokeWeight(1)
     g.triangle(60, 10, 93, 17, 71, 48)
+
+
+@scene(JAVA2D, processing_share=0.97, why=OF_JAVA)
+def default_renderer_keeps_fills_between_pixels(g: PGraphics) -> None:
+    g.background(255)
+    g.noStroke()
+    for i in range(4):
+        g.fill(200 - 60 * i, 40, 60 * i)
+        g.rect(5 + 23.25 * i, 8.25 + 0.25 * i, 16.5, 34)
+    g.noFill()
+    for i in range(4):
+        g.stroke(60 * i, 110, 20)
+        g.strokeWeight(1 + i)
+        g.rect(5 + 23.25 * i, 56.25 + 0.25 * i, 16.5, 34)
+
+
+@scene(JAVA2D, processing_share=0.92, why=OF_JAVA)
+def default_renderer_draws_curved_edges(g: PGraphics) -> None:
+    g.background(30, 30, 50)
+    g.fill(255, 190, 60)
+    g.stroke(255)
+    g.strokeWeight(4)
+    g.ellipse(34, 40, 52, 60)
+    g.line(12, 90, 90, 70)
+    g.triangle(62, 12, 94, 30, 66, 54)

@@ -15,9 +15,9 @@ def box_of_three_sizes(g: PGraphics) -> None:
     g.rotateX(radians(-30))
     g.rotateY(radians(40))
     g.box(26, 44, 16)
-    g.translate(44, 20, -60)
+    g.translate(34, 16, 10)
     g.fill(60, 150, 200)
-    g.box(30)
+    g.box(22)
 
 
 @scene(P3D)

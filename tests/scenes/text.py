@@ -4,10 +4,8 @@ from sketchkit.api.graphics import PGraphics
 from sketchkit.core.constants import BASELINE, BOTTOM, CENTER, LEFT, RIGHT, TOP
 from tests.scenes.registry import scene
 
-FACE = "the default face is not Processing's own, and its rasteriser another"
 
-
-@scene(processing_share=0.94, why=FACE)
+@scene()
 def text_in_several_sizes(g: PGraphics) -> None:
     g.background(255)
     g.fill(160, 0, 60)
@@ -20,7 +18,7 @@ def text_in_several_sizes(g: PGraphics) -> None:
     g.text("gRey", 4, 82)
 
 
-@scene(processing_share=0.94, why=FACE)
+@scene()
 def text_aligned_at_its_point(g: PGraphics) -> None:
     g.background(30)
     g.stroke(200, 60, 60)

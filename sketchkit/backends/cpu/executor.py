@@ -101,7 +101,8 @@ class CpuBackend:
             return
         shading = Shading(triangles, pipeline, frame.grid.centre, self._texture(pipeline))
         for part, is_opaque in _parts(shading.is_opaque, pipeline.blend):
-            spans = rasterize(triangles, part, window, frame.grid)
+            turned = pipeline.target.top_row_first
+            spans = rasterize(triangles, part, window, frame.grid, turned=turned)
             draw = draw_visible if is_opaque else draw_in_layers
             draw(spans, shading, Surface(frame, reached, pipeline))
 

@@ -41,7 +41,8 @@ class _Edges(NamedTuple):
     """The edges of triangles: a * x + b * y + c > 0 inside, 1/256 px; (3, n) each.
 
     c ends in a half, so that a place on the grid is never on an edge: it belongs to the triangle
-    that has the edge on its left or at its top, as OpenGL has it. The edges are sorted by a: the
+    that has the edge on its left or at its top, as OpenGL has it; or at its bottom, where the
+    driver turns the picture over. The edges are sorted by a: the
     first has the inside to its right, the last to its left.
     """
 
@@ -51,11 +52,14 @@ class _Edges(NamedTuple):
 
 
 def rasterize(
-    triangles: Triangles, part: slice, window: Window, grid: SampleGrid
+    triangles: Triangles, part: slice, window: Window, grid: SampleGrid, *, turned: bool
 ) -> Iterator[Spans]:
-    """Yield the spans of some of the triangles inside a window, a few at a time."""
+    """Yield the spans of some of the triangles inside a window, a few at a time.
+
+    `turned` says whether what lies on a horizontal edge is inside above it, not below.
+    """
     x, y = triangles.grid_x[:, part], triangles.grid_y[:, part]
-    edges = _edges(x, y)
+    edges = _edges(x, y, turned=turned)
     places = np.rint(np.array(grid.places) * SUBPIXELS)
     highest, lowest = places[:, 1].max(), places[:, 1].min()
     top = np.maximum(np.ceil((y.min(axis=0) - highest) / SUBPIXELS), _limit(window.top, highest))
@@ -108,10 +112,10 @@ def ramps(counts: I64) -> I64:
     return np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)
 
 
-def _edges(x: F64, y: F64) -> _Edges:
+def _edges(x: F64, y: F64, *, turned: bool) -> _Edges:
     next_x, next_y = np.roll(x, -1, axis=0), np.roll(y, -1, axis=0)
     a, b = next_y - y, x - next_x
-    is_inside = (a > 0) | ((a == 0) & (b > 0))
+    is_inside = (a > 0) | ((a == 0) & ((b < 0) if turned else (b > 0)))
     c = -(a * x + b * y) + np.where(is_inside, 0.5, -0.5)
     order = np.argsort(-a, axis=0)
     return _Edges(*(np.take_along_axis(column, order, axis=0) for column in (a, b, c)))

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import ctypes
 from types import ModuleType
+from typing import NamedTuple
 
 import moderngl
+
+from sketchkit.backends.gl.turning import FindFunction, egl_function
 
 REQUIRED = 330  # OpenGL 3.3 core: the newest that every platform has
 
@@ -14,8 +17,16 @@ class NoContextError(RuntimeError):
     """No OpenGL 3.3 can be had here; the message says what was tried."""
 
 
-def headless_context() -> tuple[moderngl.Context, str]:
-    """Return a context without a window, and how it was made: "EGL" or "OSMesa".
+class Headless(NamedTuple):
+    """A context without a window: how it was made, and what finds its functions."""
+
+    context: moderngl.Context
+    origin: str
+    find: FindFunction
+
+
+def headless_context() -> Headless:
+    """Return a context without a window, of EGL or OSMesa.
 
     Raises
     ------
@@ -25,7 +36,8 @@ def headless_context() -> tuple[moderngl.Context, str]:
     answers = []
     for name, make in (("EGL", _egl_context), ("OSMesa", _osmesa_context)):
         try:
-            return make(), name
+            context, find = make()
+            return Headless(context, name, find)
         except Exception as problem:  # moderngl and glfw raise bare Exception
             answers.append(f"{name}: {problem}")
     raise NoContextError("no OpenGL 3.3 without a window (" + "; ".join(answers) + ")")
@@ -45,12 +57,13 @@ def window_context() -> moderngl.Context:
         raise NoContextError(str(problem)) from problem
 
 
-def _egl_context() -> moderngl.Context:
+def _egl_context() -> tuple[moderngl.Context, FindFunction]:
     # moderngl's stubs take all settings for dicts.
-    return moderngl.create_context(standalone=True, backend="egl", require=REQUIRED)  # type: ignore[arg-type]
+    context = moderngl.create_context(standalone=True, backend="egl", require=REQUIRED)  # type: ignore[arg-type]
+    return context, egl_function
 
 
-def _osmesa_context() -> moderngl.Context:
+def _osmesa_context() -> tuple[moderngl.Context, FindFunction]:
     """Return a context of GLFW's null platform, whose drawing OSMesa does."""
     import glfw  # GLFW is the only way to OSMesa that needs no library of ours
 
@@ -69,7 +82,9 @@ def _osmesa_context() -> moderngl.Context:
     if not window:
         raise NoContextError("OSMesa is not installed, or too old for OpenGL 3.3")
     glfw.make_context_current(window)
-    return moderngl.create_context(context=_GlfwLoader(glfw, window), require=REQUIRED)  # type: ignore[arg-type] # as above
+    loader = _GlfwLoader(glfw, window)
+    context = moderngl.create_context(context=loader, require=REQUIRED)  # type: ignore[arg-type] # as above
+    return context, loader.load_opengl_function
 
 
 class _GlfwLoader:

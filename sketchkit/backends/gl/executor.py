@@ -11,6 +11,7 @@ from sketchkit.backends.gl.context import headless_context, window_context
 from sketchkit.backends.gl.programs import Programs, compile_pair, set_uniforms
 from sketchkit.backends.gl.targets import Surfaces
 from sketchkit.backends.gl.textures import Textures
+from sketchkit.backends.gl.turning import FindFunction, Turning
 from sketchkit.draw.commands import Clear, Draw, DrawList, Settle
 from sketchkit.draw.pipeline import Blend, Clip, Pipeline
 from sketchkit.draw.resources import Pixels, Target
@@ -46,10 +47,13 @@ class GlBackend:
 
     name = "gl"
 
-    def __init__(self, context: moderngl.Context, origin: str) -> None:
+    def __init__(
+        self, context: moderngl.Context, origin: str, find: FindFunction | None = None
+    ) -> None:
         self.context = context
         context.gc_mode = "auto"  # what nothing refers to any more is released on the GPU too
         self.origin = origin
+        self._turning = Turning(context, find)
         self._programs = Programs(context)
         self._buffers = Buffers(context)
         self._surfaces = Surfaces(context)
@@ -101,11 +105,13 @@ class GlBackend:
                 self._draw(command)
                 continue
             bound = None
+            self._turning.reset()
             if isinstance(command, Clear):
                 self._clear(command)
             else:
                 self._settle(command)
-        if bound is not None:  # else it would hold for copies too
+        if bound is not None:  # else these would hold for copies too
+            self._turning.reset()
             self._surfaces.get(bound.target).framebuffer.scissor = None  # type: ignore[assignment]
 
     def _clear(self, command: Clear) -> None:
@@ -137,8 +143,6 @@ class GlBackend:
         framebuffer.scissor = _scissor(target, pipeline.clip)  # type: ignore[assignment] # the same
         (context.enable if pipeline.depth_test else context.disable)(moderngl.DEPTH_TEST)
         context.depth_func = "<="
-        # Clockwise as seen on the picture is the front; OpenGL counts with y up.
-        context.front_face = "ccw" if target.top_row_first else "cw"
         rule = _BLEND_RULES[pipeline.blend]
         context.enable(moderngl.BLEND)
         replaces = pipeline.blend is Blend.REPLACE
@@ -147,7 +151,8 @@ class GlBackend:
         context.blend_func = (rule.source, rule.destination, *alpha)  # type: ignore[assignment] # the stubs know pairs alone
         if pipeline.texture is not None:
             self._textures.use(pipeline.texture, pipeline.wrap)
-        set_uniforms(self._programs.get(pipeline.program), pipeline)
+        y_sign = self._turning.turn(top_row_first=target.top_row_first)
+        set_uniforms(self._programs.get(pipeline.program), pipeline, y_sign)
 
     def _draw(self, command: Draw) -> None:
         program = command.pipeline.program

@@ -43,13 +43,13 @@ def compile_pair(context: moderngl.Context, vertex: str, fragment: str) -> moder
     )
 
 
-def set_uniforms(program: moderngl.Program, pipeline: Pipeline) -> None:
-    """Give a program the values of a pipeline."""
+def set_uniforms(program: moderngl.Program, pipeline: Pipeline, y_sign: float) -> None:
+    """Give a program the values of a pipeline; -1 for `y_sign` turns the picture over."""
     target = pipeline.target
     p = pipeline.projection
     values: dict[str, object] = {
         "projection": tuple(p[row * 4 + column] for column in range(4) for row in range(4)),
-        "y_sign": -1.0 if target.top_row_first else 1.0,
+        "y_sign": y_sign,
         "viewport": (target.width, target.height),
         "line_scale": pipeline.line_scale,
         "perspective": pipeline.stroke_perspective,

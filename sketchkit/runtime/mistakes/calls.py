@@ -8,9 +8,11 @@ import re
 from collections.abc import Callable
 from types import ModuleType
 
-from sketchkit.core.errors import shown
+from sketchkit.core.errors import shown, wrong_numbers
 from sketchkit.runtime.mistakes.mistake import KINDS, Explanation, Mistake, a_kind
 
+# What a function is often called for with so many values, and the function that does it.
+INSTEAD = {("rect", 3): ("a square", "square")}
 NUMERIC = re.compile(r"(float|int|None|bool|[| ])+")  # annotations
 VARIABLE = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
 
@@ -77,13 +79,27 @@ def _wrong_count(mistake: Mistake) -> Explanation | None:
     call = mistake.written(mistake.expression)
     if keyword := re.search(r"unexpected keyword argument '(\w+)'", mistake.text):
         return Explanation(f"{name}() has no argument called {keyword[1]}.", got=call)
-    problem = f"{name}() {_takes(function)}"
     counted = len(mistake.expression.args) + len(mistake.expression.keywords)
     is_plain = not any(isinstance(arg, ast.Starred) for arg in mistake.expression.args)
     return Explanation(
-        problem,
-        hint=_where_defined(function, mistake),
+        _problem(name, function),
+        hint=_instead(mistake.expression, counted) or _where_defined(function, mistake),
         got=f"{counted}: {call}" if is_plain else call,
+    )
+
+
+def _wrong_count_in_c(mistake: Mistake) -> Explanation | None:
+    """Explain too few or too many arguments of a function that is written in C."""
+    found = re.match(r"(\w+) expected (.+) arguments?, got (\d+)", mistake.text)
+    name = mistake.called
+    if not found or name is None:
+        return None
+    module = getattr(mistake.own.get(name), "__module__", None)
+    is_hiding = module and callable(mistake.names.get(name))
+    return Explanation(
+        f"{name}() takes {found[2]} values.",
+        hint=f"This is {name}() of {module}; it hides sketchkit's." if is_hiding else None,
+        got=f"{found[3]}: {mistake.written(mistake.expression)}",
     )
 
 
@@ -97,6 +113,23 @@ def _called_function(mistake: Mistake, call: ast.Call) -> Callable[..., object] 
     except (LookupError, AttributeError):
         return None
     return function if callable(function) else None
+
+
+def _problem(name: str, function: Callable[..., object]) -> str:
+    """Return how many values a function takes: as its own file says, or as its signature does."""
+    known = getattr(getattr(function, "__func__", function), "__globals__", {})
+    usage = known.get(f"{getattr(function, '__name__', name).upper()}_USAGE")
+    return wrong_numbers(name, (), usage).problem if usage else f"{name}() {_takes(function)}"
+
+
+def _instead(call: ast.Call, count: int) -> str | None:
+    """Return the call that was probably meant."""
+    match call.func:
+        case ast.Name(id=name) if (name, count) in INSTEAD:
+            shape, function = INSTEAD[name, count]
+            meant = ast.unparse(ast.Call(ast.Name(function), call.args, call.keywords))
+            return f"For {shape} write {meant}."
+    return None
 
 
 def _takes(function: Callable[..., object]) -> str:
@@ -184,6 +217,12 @@ def _whole_number(mistake: Mistake) -> Explanation | None:
             call or "A whole number is needed here.",
             "/ always gives a fraction: write // instead, or int(...).",
         )
+    if found := re.match(r"can't multiply sequence by non-int of type '(\w+)'", mistake.text):
+        kind = KINDS.get(found[1], found[1])
+        return Explanation(
+            f"Lists and texts are repeated by whole numbers, not by {kind}.",
+            "/ always gives a fraction: write // instead, or int(...).",
+        )
     found = re.match(r"(\w+) indices must be integers(?: or slices)?, not '?(\w+)'?", mistake.text)
     if not found:
         return None
@@ -222,6 +261,7 @@ def _iteration(mistake: Mistake) -> Explanation | None:
 CASES: tuple[Callable[[Mistake], Explanation | None], ...] = (
     _not_callable,
     _wrong_count,
+    _wrong_count_in_c,
     _operands,
     _whole_number,
     _subscript,
