@@ -5,6 +5,6 @@ import sys
 if not sys.flags.safe_path:
     del sys.path[0]  # the folder we are in: a student's math.py there is not Python's
 
-from sketchkit.cli.main import main  # see above
+from sketchkit.cli.start import start  # see above
 
-main(prog_name="sketchkit")
+start()

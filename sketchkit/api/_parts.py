@@ -48,6 +48,7 @@ class OpenShape:
     texture: Pixels | None = None
     first_uv: int | None = None
     has_normals: bool = False
+    has_curves: bool = False
     spline: list[tuple[float, float, float]] = field(default_factory=list)
 
 

@@ -36,6 +36,11 @@ class Canvas(Protocol):
         """What it draws on."""
         ...
 
+    @property
+    def has_shapes(self) -> bool:
+        """Whether something but a background was drawn since the last flush."""
+        ...
+
     def resize(self, width: int, height: int, renderer_name: str, samples: int) -> None:
         """Give the canvas another size; what was drawn is lost."""
         ...

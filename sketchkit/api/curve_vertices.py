@@ -115,6 +115,7 @@ class CurveVertices(Vertices):
     def _add_corners(self, points: NDArray[np.float64]) -> None:
         """Add many corners, (n, 3), in the current colours."""
         shape, recorder = self._open("vertex"), self._recorder
+        shape.has_curves = True
         table = np.zeros(len(points), CORNER_DTYPE)
         table["place"] = points
         table["attributes"] = self._attributes

@@ -57,6 +57,11 @@ class Environment(SketchParts):
                 f"A canvas has at least 1 and at most {LARGEST_SIDE} pixels each way.",
                 got=f"size({shown(width)}, {shown(height)})",
             )
+        if self.canvas.has_shapes:
+            raise SketchError(
+                "size() comes before anything is drawn: it begins a new, empty canvas.",
+                hint="Write size() as the first line of setup().",
+            )
         self._format.renderer = _known_renderer(renderer)
         self._format.width, self._format.height = columns, rows
         self._reformat()

@@ -40,6 +40,11 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         """What it draws on."""
         return self._target
 
+    @property
+    def has_shapes(self) -> bool:
+        """Whether something but a background was drawn since the last flush."""
+        return self._recorder.has_shapes
+
     def resize(self, width: int, height: int, renderer_name: str, samples: int) -> None:
         """Give the surface a size and a renderer; what was drawn is lost."""
         self._renderer.flush()

@@ -39,6 +39,7 @@ KINDS = {
 }
 # The names of single shapes stand for those of many, as in Processing.
 KIND_OF = {c.TRIANGLE: c.TRIANGLES, c.QUAD: c.QUADS, c.LINE: c.LINES, c.POINT: c.POINTS}
+FEWEST_CORNERS = 3  # of a polygon; Processing counts a curve's control points as well
 CLOSE_MODES = {c.CLOSE: "CLOSE"}
 VERTEX_USAGE = "x, y [, z] | x, y, u, v | x, y, z, u, v"
 
@@ -222,7 +223,8 @@ class Vertices(CanvasParts):
         self._attributes = -1
         recorder = self._recorder
         count = (recorder.corner_end - shape.first) // CORNER
-        if not count:
+        needed = FEWEST_CORNERS if shape.kind == c.POLYGON and not shape.has_curves else 1
+        if count < needed:
             return
         recorder.shapes.append(
             ShapeRun(

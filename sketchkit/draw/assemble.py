@@ -13,7 +13,7 @@ from sketchkit.draw.commands import Clear, Command, Draw, DrawList, Settle, Sett
 from sketchkit.draw.layers import LayerPieces, PieceOrder, unpack_argb
 from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
 from sketchkit.draw.pipeline import Pipeline, Program
-from sketchkit.draw.recorder import Kind
+from sketchkit.draw.recorder import WHOLE, Kind
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.rows import Rows
 from sketchkit.draw.stage import Stage
@@ -164,7 +164,7 @@ class Assembler:
     def _sections(self) -> list[tuple[int, int]]:
         """Return ranges of rows: one that concerns the whole target, or rows of one stage."""
         stage_ids = np.array([id(stage) for stage in self.rows.stages])[self.rows.states]
-        is_whole = (self.rows.kinds == Kind.CLEAR) | (self.rows.kinds == Kind.SETTLE)
+        is_whole = np.isin(self.rows.kinds, WHOLE)
         begins = np.ones(len(is_whole), np.bool_)
         begins[1:] = (stage_ids[1:] != stage_ids[:-1]) | is_whole[1:] | is_whole[:-1]
         starts = np.flatnonzero(begins).tolist()

@@ -30,7 +30,6 @@ F32 = NDArray[np.float32]
 I64 = NDArray[np.int64]
 
 FACE_KINDS = (c.TRIANGLES, c.TRIANGLE_STRIP, c.TRIANGLE_FAN, c.QUADS, c.QUAD_STRIP)
-FEWEST_POLYGON_CORNERS = 3
 
 
 class Corners:
@@ -216,8 +215,6 @@ def _expand_polygons(rows: Rows, corners: Corners, at: I64, out: Expansion) -> N
     lines: dict[tuple[int, bool], list[tuple[int, I64]]] = defaultdict(list)
     for row in at.tolist():
         shape = _shape(rows, row)
-        if shape.count < FEWEST_POLYGON_CORNERS:
-            continue
         if rows.fills[row] >= 0:
             _fill_polygon(rows, corners, row, shape, out)
         if rows.strokes[row] >= 0:

@@ -41,6 +41,8 @@ class Kind(IntEnum):
     SETTLE = 12
 
 
+WHOLE = (Kind.CLEAR, Kind.SETTLE)  # rows that concern all pixels
+
 # kind, state: which entry of the recorder's states; fill, stroke: packed ARGB or NO_COLOR;
 # weight of the stroke; link: an entry of `shapes` or `textures`; numbers: what the call was given.
 ROW_DTYPE = np.dtype(
@@ -189,6 +191,11 @@ class Recorder:
                 buffer.extend(bytes(len(buffer)))
                 grown = True
         return grown
+
+    @property
+    def has_shapes(self) -> bool:
+        """Whether there are rows that do not concern the whole target."""
+        return bool((~np.isin(self.row_array()["kind"], WHOLE)).any())
 
     def row_array(self) -> NDArray[np.void]:
         """Return a view of the rows, (n,) of ROW_DTYPE; it must not outlive the next call."""

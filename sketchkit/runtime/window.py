@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Sequence
 from types import TracebackType
 from typing import Any
@@ -65,7 +66,7 @@ class Window:
             raise WindowError(_reason())
         glfw.make_context_current(self._window)
         try:
-            self.backend = GlBackend.for_window()
+            self.backend = GlBackend.for_window(_address_of)
         except NoContextError as reason:
             raise WindowError(str(reason)) from reason
         self._size = FIRST_SIZE, FIRST_SIZE  # the canvas's: the window manager may want another
@@ -240,3 +241,8 @@ def _reason() -> str:
     """Return what GLFW says about its last failure."""
     _, text = glfw.get_error()
     return text.decode() if isinstance(text, bytes) else text or "GLFW gives no reason"
+
+
+def _address_of(name: str) -> int:
+    """Return the address of a function of OpenGL, 0 if there is none."""
+    return ctypes.cast(glfw.get_proc_address(name), ctypes.c_void_p).value or 0

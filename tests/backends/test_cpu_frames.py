@@ -8,7 +8,6 @@ from sketchkit.backends.cpu.frames import FARTHEST, NO_TRIANGLE, Frame, Window, 
 from sketchkit.draw.commands import Clear, DrawList, Settle, Settling
 from sketchkit.draw.pipeline import Clip
 from sketchkit.draw.resources import Target
-from tests.backends.draw_lists import flat_pipeline
 
 ROWS = np.array([(10, 10, 10, 255), (90, 90, 90, 255)], np.uint8)
 
@@ -40,7 +39,7 @@ def test_clear_may_leave_the_depth() -> None:
     frame = Frame(Target(2, 2))
     frame.depths[:] = 5
 
-    frame.clear((1, 2, 3, 4), depth=False)
+    frame.clear(Window(0, 0, 2, 2), (1, 2, 3, 4), depth=False)
 
     assert np.all(frame.colors == (1, 2, 3, 4))
     assert np.all(frame.depths == 5)
@@ -68,7 +67,7 @@ def test_settling(how: Settling, expected: list[list[int]]) -> None:
 def test_a_clip_counts_from_the_top_of_the_picture(top_row_first: bool) -> None:
     target = Target(100, 50, 4, top_row_first)
 
-    window = window_of(flat_pipeline(target, clip=Clip(-5, 10, 30, 15)))
+    window = window_of(target, Clip(-5, 10, 30, 15))
 
     assert window == (Window(0, 10, 25, 25) if top_row_first else Window(0, 25, 25, 40))
 

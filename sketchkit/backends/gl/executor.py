@@ -73,15 +73,17 @@ class GlBackend:
         return cls(*headless_context())
 
     @classmethod
-    def for_window(cls) -> GlBackend:
+    def for_window(cls, find: FindFunction) -> GlBackend:
         """Return a backend for the window whose context is current.
+
+        `find` returns the address of a function of OpenGL.
 
         Raises
         ------
         NoContextError
             If the window has less than OpenGL 3.3.
         """
-        return cls(window_context(), "window")
+        return cls(window_context(), "window", find)
 
     def describe(self) -> dict[str, str]:
         """Return vendor, renderer and version, and where the context comes from."""
@@ -95,6 +97,10 @@ class GlBackend:
 
     def execute(self, commands: DrawList) -> None:
         """Carry out the commands in order."""
+        with self.context:
+            self._execute(commands)
+
+    def _execute(self, commands: DrawList) -> None:
         self._buffers.upload(commands.blocks)
         bound: Pipeline | None = None
         for command in commands.commands:
@@ -161,7 +167,8 @@ class GlBackend:
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
-        rows = self._surfaces.get(target).read(self.context)
+        with self.context:
+            rows = self._surfaces.get(target).read(self.context)
         return rows.copy() if target.top_row_first else rows[::-1].copy()
 
     def present(self, target: Target, size: tuple[int, int]) -> None:
