@@ -214,7 +214,9 @@ class CanvasParts:
         call(*args)
 
     def _refuse(self, name: str, args: Sequence[object], usage: str) -> NoReturn:
-        """Raise the error for wrong arguments."""
+        """Raise the error for wrong arguments, or for a weight that the row cannot hold."""
+        if abs(self._weight) > c.MAX_FLOAT:  # seen late: a check in strokeWeight() would cost more
+            raise wrong_numbers("strokeWeight", (self._weight,), "weight") from None
         raise wrong_numbers(name, args, usage) from None
 
     @property

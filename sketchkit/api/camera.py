@@ -8,11 +8,19 @@ from sketchkit.api._parts import Block, CanvasParts
 from sketchkit.api.pmatrix import PMatrix3D
 from sketchkit.core import constants as c
 from sketchkit.core import matrix as mat
-from sketchkit.core.errors import SketchError
+from sketchkit.core.errors import SketchError, shown, wrong_numbers
 from sketchkit.core.float32 import f32
 from sketchkit.core.notices import warn_once
 
 FIELD_OF_VIEW = f32(60 * f32(f32(math.pi) / 180))  # radians, as Processing rounds it
+PERSPECTIVE_USAGE = "fov, aspect, near, far"
+ORTHO_USAGE = "left, right, bottom, top [, near, far]"
+FRUSTUM_USAGE = "left, right, bottom, top, near, far"
+PLACE_USAGE = "x, y [, z]"
+HINT_USAGE = (
+    "DISABLE_DEPTH_TEST | DISABLE_DEPTH_MASK | ENABLE_DEPTH_SORT | ENABLE_STROKE_PERSPECTIVE"
+)
+SIDES_THAT_DIFFER = "sides that differ: left and right, bottom and top, near and far"
 FAR = 10.0  # the default camera's clipping planes: its eye's distance times, and by, this
 
 # What a hint changes of the stage. Those that are not here concern Java's own drivers and windows:
@@ -27,6 +35,7 @@ STAGE_HINTS: dict[int, dict[str, bool]] = {
     c.ENABLE_STROKE_PERSPECTIVE: {"stroke_perspective": True},
     c.DISABLE_STROKE_PERSPECTIVE: {"stroke_perspective": False},
 }
+HINTS = [value for name, value in vars(c).items() if name.startswith(("DISABLE_", "ENABLE_"))]
 
 
 class Camera(CanvasParts):
@@ -69,7 +78,8 @@ class Camera(CanvasParts):
         except (TypeError, ValueError):
             usage = "eyeX, eyeY, eyeZ, centerX, centerY, centerZ, upX, upY, upZ"
             self._refuse("camera", numbers, usage)
-        self._eye_distance = math.dist((ex, ey, ez), (cx, cy, cz))
+        # An eye at its own centre sees nothing, as in Processing; ortho() still needs a distance.
+        self._eye_distance = math.dist((ex, ey, ez), (cx, cy, cz)) or self._eye_distance
         self._place_camera(mat.look_at((ex, ey, ez), (cx, cy, cz), (ux, uy, uz)))
 
     def _default_eye(self) -> float:
@@ -145,8 +155,13 @@ class Camera(CanvasParts):
         try:
             fov, aspect, near, far = (value + 0.0 for value in numbers)
         except (TypeError, ValueError):
-            self._refuse("perspective", numbers, "fov, aspect, near, far")
-        self._project("perspective", mat.perspective(fov, aspect, near, far), is_perspective=True)
+            self._refuse("perspective", numbers, PERSPECTIVE_USAGE)
+        try:
+            projection = mat.perspective(fov, aspect, near, far)
+        except ZeroDivisionError:
+            needs = "fov, aspect and near above 0, and a far beyond near"
+            raise _without_room("perspective", needs, numbers) from None
+        self._project("perspective", projection, is_perspective=True)
 
     def ortho(self, *numbers: float) -> None:
         """Set a projection without perspective; without numbers, in the size of the canvas.
@@ -182,8 +197,11 @@ class Camera(CanvasParts):
         try:
             left, right, bottom, top, near, far = (value + 0.0 for value in numbers)
         except (TypeError, ValueError):
-            self._refuse("ortho", numbers, "left, right, bottom, top [, near, far]")
-        projection = mat.ortho(left, right, bottom, top, near, far)
+            self._refuse("ortho", numbers, ORTHO_USAGE)
+        try:
+            projection = mat.ortho(left, right, bottom, top, near, far)
+        except ZeroDivisionError:
+            raise _without_room("ortho", SIDES_THAT_DIFFER, numbers) from None
         self._project("ortho", projection, is_perspective=False)
 
     def frustum(
@@ -209,13 +227,13 @@ class Camera(CanvasParts):
         >>> translate(50, 50)
         >>> box(40)
         """
+        args = (left, right, bottom, top, near, far)
         try:
-            projection = mat.frustum(left, right, bottom, top, near, far)
+            projection = mat.frustum(*args)
         except TypeError:
-            args = (left, right, bottom, top, near, far)
-            self._refuse("frustum", args, "left, right, bottom, top, near, far")
+            self._refuse("frustum", args, FRUSTUM_USAGE)
         except ZeroDivisionError:
-            raise SketchError("frustum() needs sides, and planes, that differ.") from None
+            raise _without_room("frustum", SIDES_THAT_DIFFER, args) from None
         self._project("frustum", projection, is_perspective=True)
 
     def _project(self, name: str, projection: mat.Mat4, *, is_perspective: bool) -> None:
@@ -257,6 +275,11 @@ class Camera(CanvasParts):
             transparency; ENABLE_STROKE_PERSPECTIVE makes far strokes thin. DISABLE and ENABLE of
             a name undo each other; both stay in force from frame to frame.
 
+        Raises
+        ------
+        SketchError
+            If it is no hint.
+
         Examples
         --------
         >>> size(100, 100, P3D)
@@ -264,6 +287,8 @@ class Camera(CanvasParts):
         >>> rect(20, 20, 60, 60)
         >>> hint(ENABLE_DEPTH_TEST)
         """
+        if which not in HINTS:
+            raise wrong_numbers("hint", (which,), HINT_USAGE)
         changes = STAGE_HINTS.get(which, {})
         if all(getattr(self._stage, name) == value for name, value in changes.items()):
             return
@@ -284,7 +309,7 @@ class Camera(CanvasParts):
         >>> print(screenX(0, 0, 0))
         50.0
         """
-        return self._screen(x, y, z)[0]
+        return self._screen("screenX", x, y, z)[0]
 
     def screenY(self, x: float, y: float, z: float = 0.0) -> float:
         """Return the y on the canvas at which a point is drawn.
@@ -296,7 +321,7 @@ class Camera(CanvasParts):
         >>> print(screenY(0, 0, 0))
         50.0
         """
-        return self._screen(x, y, z)[1]
+        return self._screen("screenY", x, y, z)[1]
 
     def screenZ(self, x: float, y: float, z: float = 0.0) -> float:
         """Return the depth at which a point is drawn: 0 at the near plane, 1 at the far one.
@@ -307,10 +332,13 @@ class Camera(CanvasParts):
         >>> print(round(screenZ(50, 50, 0), 3))
         0.909
         """
-        return self._screen(x, y, z)[2]
+        return self._screen("screenZ", x, y, z)[2]
 
-    def _screen(self, x: float, y: float, z: float) -> tuple[float, float, float]:
-        eye = mat.transform_point(self._modelview, x, y, z)
+    def _screen(self, name: str, x: float, y: float, z: float) -> tuple[float, float, float]:
+        try:
+            eye = mat.transform_point(self._modelview, x, y, z)
+        except TypeError:
+            self._refuse(name, (x, y, z), PLACE_USAGE)
         cx, cy, cz, cw = mat.transform4(self._stage.projection, *eye)
         cw = cw or 1.0
         width, height = self._target.width, self._target.height
@@ -326,7 +354,7 @@ class Camera(CanvasParts):
         >>> print(round(modelX(0, 0, 0)))
         50
         """
-        return self._model(x, y, z)[0]
+        return self._model("modelX", x, y, z)[0]
 
     def modelY(self, x: float, y: float, z: float = 0.0) -> float:
         """Return the y of a point without the camera.
@@ -338,7 +366,7 @@ class Camera(CanvasParts):
         >>> print(round(modelY(0, 0, 0)))
         20
         """
-        return self._model(x, y, z)[1]
+        return self._model("modelY", x, y, z)[1]
 
     def modelZ(self, x: float, y: float, z: float = 0.0) -> float:
         """Return the z of a point without the camera.
@@ -350,9 +378,18 @@ class Camera(CanvasParts):
         >>> print(round(modelZ(0, 0, 0)))
         -40
         """
-        return self._model(x, y, z)[2]
+        return self._model("modelZ", x, y, z)[2]
 
-    def _model(self, x: float, y: float, z: float) -> tuple[float, float, float]:
-        eye = mat.transform_point(self._modelview, x, y, z)
+    def _model(self, name: str, x: float, y: float, z: float) -> tuple[float, float, float]:
+        try:
+            eye = mat.transform_point(self._modelview, x, y, z)
+        except TypeError:
+            self._refuse(name, (x, y, z), PLACE_USAGE)
         camera = mat.inverse(self._camera)
         return eye if camera is None else mat.transform_point(camera, *eye)
+
+
+def _without_room(name: str, needs: str, numbers: tuple[float, ...]) -> SketchError:
+    """Return the error for a projection that sees a space without width, height or depth."""
+    call = f"{name}({', '.join(map(shown, numbers))})"
+    return SketchError(f"{name}() needs {needs}.", got=call)

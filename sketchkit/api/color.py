@@ -6,9 +6,13 @@ from sketchkit.api._parts import CanvasParts
 from sketchkit.core import color as colors
 from sketchkit.core import constants as c
 from sketchkit.core.color import ColorMode
-from sketchkit.core.errors import SketchError
+from sketchkit.core.errors import SketchError, shown
 
 ColorLike = int | float | str
+COLORMODE_USAGE = "mode [, max] | mode, max1, max2, max3 [, maxAlpha]"
+LERPCOLOR_USAGE = "color1, color2, amount"
+RED_USAGE = GREEN_USAGE = BLUE_USAGE = ALPHA_USAGE = "color"
+HUE_USAGE = SATURATION_USAGE = BRIGHTNESS_USAGE = "color"
 
 
 class Color(CanvasParts):
@@ -52,15 +56,20 @@ class Color(CanvasParts):
         >>> background(210, 60, 90)
         """
         if mode not in (c.RGB, c.HSB):
-            raise SketchError("colorMode() takes RGB or HSB.", got=str(mode))
+            hint = f"Write {mode} without quotes." if str(mode) in ("RGB", "HSB") else None
+            raise SketchError("colorMode() takes RGB or HSB first.", got=shown(mode), hint=hint)
         old = self._color_mode
         if max1 is None:
-            self._color_mode = ColorMode(mode, old.max1, old.max2, old.max3, old.max_alpha)
+            maxima = old.max1, old.max2, old.max3, old.max_alpha
         elif max2 is None or max3 is None:
-            self._color_mode = ColorMode(mode, max1, max1, max1, max1)
+            maxima = max1, max1, max1, max1
         else:
-            alpha = old.max_alpha if maxA is None else maxA
-            self._color_mode = ColorMode(mode, max1, max2, max3, alpha)
+            maxima = max1, max2, max3, old.max_alpha if maxA is None else maxA
+        try:
+            self._color_mode = ColorMode(mode, *maxima)
+        except TypeError:
+            given = [number for number in (max1, max2, max3, maxA) if number is not None]
+            self._refuse("colorMode", (mode, *given), COLORMODE_USAGE)
 
     def color(self, *args: ColorLike) -> int:
         """Make a colour.
@@ -188,7 +197,10 @@ class Color(CanvasParts):
         >>> rect(20, 20, 60, 60)
         """
         start, stop = self._packed("lerpColor", c1), self._packed("lerpColor", c2)
-        return colors.lerp_color(start, stop, amt, self._color_mode.model)
+        try:
+            return colors.lerp_color(start, stop, amt, self._color_mode.model)
+        except TypeError:
+            self._refuse("lerpColor", (c1, c2, amt), LERPCOLOR_USAGE)
 
     def _packed(self, name: str, value: ColorLike) -> int:
         """Return a colour that a sketch holds; small numbers are grays, as in `color()`."""

@@ -7,6 +7,7 @@ from sketchkit.core.errors import SketchError
 from sketchkit.geometry import curves
 
 BEZIER_USAGE = "x1, y1, x2, y2, x3, y3, x4, y4"
+COORDINATE_USAGE = "a, b, c, d, t"
 
 
 class Curves(CurveVertices):
@@ -95,7 +96,10 @@ class Curves(CurveVertices):
         >>> curveTightness(0.5)
         >>> curve(5, 26, 20, 26, 73, 24, 73, 61)
         """
-        self._curve_tightness = float(tightness)
+        try:
+            self._curve_tightness = tightness + 0.0
+        except TypeError:
+            self._refuse("curveTightness", (tightness,), "tightness")
 
     def bezierPoint(self, a: float, b: float, c: float, d: float, t: float) -> float:
         """Return one coordinate of a Bezier curve.
@@ -113,7 +117,10 @@ class Curves(CurveVertices):
         >>> y = bezierPoint(80, 10, 90, 20, 0.5)
         >>> circle(x, y, 10)
         """
-        return curves.bezier_point(a, b, c, d, t)
+        try:
+            return curves.bezier_point(a, b, c, d, t + 0.0)
+        except TypeError:
+            self._refuse("bezierPoint", (a, b, c, d, t), COORDINATE_USAGE)
 
     def bezierTangent(self, a: float, b: float, c: float, d: float, t: float) -> float:
         """Return one coordinate of a Bezier curve's direction; numbers as for `bezierPoint()`.
@@ -123,7 +130,10 @@ class Curves(CurveVertices):
         >>> angle = atan2(bezierTangent(80, 10, 90, 20, 0.5), bezierTangent(20, 20, 80, 80, 0.5))
         >>> line(50, 50, 50 + 30 * cos(angle), 50 + 30 * sin(angle))
         """
-        return curves.bezier_tangent(a, b, c, d, t)
+        try:
+            return curves.bezier_tangent(a, b, c, d, t + 0.0)
+        except TypeError:
+            self._refuse("bezierTangent", (a, b, c, d, t), COORDINATE_USAGE)
 
     def curvePoint(self, a: float, b: float, c: float, d: float, t: float) -> float:
         """Return one coordinate of a spline, from its second point (t = 0) to its third (t = 1).
@@ -132,7 +142,10 @@ class Curves(CurveVertices):
         --------
         >>> circle(curvePoint(5, 20, 73, 73, 0.5), curvePoint(26, 26, 24, 61, 0.5), 10)
         """
-        return curves.spline_point((a, b, c, d), t, self._curve_tightness)
+        try:
+            return curves.spline_point((a, b, c, d), t, self._curve_tightness)
+        except (TypeError, ValueError):  # ValueError: NumPy's, of a list
+            self._refuse("curvePoint", (a, b, c, d, t), COORDINATE_USAGE)
 
     def curveTangent(self, a: float, b: float, c: float, d: float, t: float) -> float:
         """Return one coordinate of a spline's direction; numbers as for `curvePoint()`.
@@ -141,7 +154,10 @@ class Curves(CurveVertices):
         --------
         >>> line(50, 50, 50 + curveTangent(5, 20, 73, 73, 0.5), 50)
         """
-        return curves.spline_tangent((a, b, c, d), t, self._curve_tightness)
+        try:
+            return curves.spline_tangent((a, b, c, d), t, self._curve_tightness)
+        except (TypeError, ValueError):
+            self._refuse("curveTangent", (a, b, c, d, t), COORDINATE_USAGE)
 
     def _detail(self, name: str, detail: int) -> int:
         try:

@@ -9,6 +9,7 @@ from sketchkit.core.errors import SketchError, shown, wrong_numbers
 from sketchkit.core.notices import warn_once
 
 RENDERERS = (P2D, P3D, JAVA2D, FX2D)
+SIZE_USAGE = "width, height [, renderer]"
 LARGEST_SIDE = 16384  # px; what OpenGL drivers take
 
 
@@ -51,7 +52,7 @@ class Environment(SketchParts):
         try:
             columns, rows = int(width), int(height)
         except (TypeError, ValueError):
-            raise wrong_numbers("size", (width, height), "width, height") from None
+            raise wrong_numbers("size", (width, height), SIZE_USAGE) from None
         if not (1 <= columns <= LARGEST_SIDE and 1 <= rows <= LARGEST_SIDE):
             raise SketchError(
                 f"A canvas has at least 1 and at most {LARGEST_SIDE} pixels each way.",

@@ -19,7 +19,11 @@ from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row8
 from sketchkit.draw.resources import Pixels
 
 IMAGE = Kind.IMAGE.value
-IMAGE_USAGE = "x, y | x, y, width, height | x, y, width, height, u1, v1, u2, v2"
+IMAGE_USAGE = (
+    "image, x, y | image, x, y, width, height | image, x, y, width, height, u1, v1, u2, v2"
+)
+CREATEIMAGE_USAGE = "width, height, format"
+CLIP_USAGE = "x, y, width, height"
 WHOLE = (0.0, 0.0, 1.0, 1.0)
 EMPTY = 0xFFCCCCCC  # what a canvas shows before background()
 Box = tuple[float, float, float, float]
@@ -85,9 +89,9 @@ class Images(CanvasParts):
         try:
             part = _part(pixels, *uv) if uv else WHOLE
             self._pack_image(pixels, self._image_edges(pixels, a, b, c, d) + part, tint)
-        except (PackError, TypeError, ValueError):
+        except (*PackError, TypeError, ValueError):
             sizes = tuple(number for number in (c, d) if number is not None)
-            self._refuse("image", (a, b, *sizes, *uv), IMAGE_USAGE)
+            self._refuse("image", (img, a, b, *sizes, *uv), IMAGE_USAGE)
 
     def _pack_image(self, pixels: Pixels, numbers: tuple[float, ...], tint: int) -> None:
         """Record an image: left, top, right, bottom, and the same within the texture, 0..1."""
@@ -291,7 +295,7 @@ class Images(CanvasParts):
         try:
             left, top, right, bottom = map(f32, edges(self._image_mode, a, b, c, d))
         except TypeError:
-            self._refuse("clip", (a, b, c, d), "x, y, width, height")
+            self._refuse("clip", (a, b, c, d), CLIP_USAGE)
         # Processing hands the lower edge to OpenGL, counted from below, and cuts it off there.
         height = f32(bottom - top)
         below = int(f32(f32(self._target.height - top) - height))

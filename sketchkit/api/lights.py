@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import math
+from typing import NoReturn
 
 from sketchkit.api.color import ColorLike
 from sketchkit.api.style import Styling
 from sketchkit.core import constants as c
 from sketchkit.core import matrix as mat
-from sketchkit.core.color import hsb_to_rgb
+from sketchkit.core.color import COMPONENTS, hsb_to_rgb, in_model
 from sketchkit.core.errors import SketchError
 from sketchkit.core.lights import MOST_LIGHTS, Light, LightKind, Vector3
 
 NONE: Vector3 = (0.0, 0.0, 0.0)
 HALF: Vector3 = (0.5, 0.5, 0.5)
 STEADY: Vector3 = (1.0, 0.0, 0.0)  # the falloff of a light that does not grow weaker
-LIGHT_USAGE = "v1, v2, v3"
+LIGHTSPECULAR_USAGE = COMPONENTS[c.RGB]
+AMBIENTLIGHT_USAGE = f"{LIGHTSPECULAR_USAGE} [, x, y, z]"
+POINTLIGHT_USAGE = f"{LIGHTSPECULAR_USAGE}, x, y, z"
+DIRECTIONALLIGHT_USAGE = f"{LIGHTSPECULAR_USAGE}, nx, ny, nz"
+SPOTLIGHT_USAGE = f"{POINTLIGHT_USAGE}, nx, ny, nz, angle, concentration"
+AMBIENT_USAGE = SPECULAR_USAGE = EMISSIVE_USAGE = f"gray | {LIGHTSPECULAR_USAGE}"
 
 
 class Lights(Styling):
@@ -83,8 +89,11 @@ class Lights(Styling):
         >>> translate(50, 50)
         >>> box(40)
         """
-        color = self._light_color("ambientLight", v1, v2, v3)
-        self._add_light(LightKind.AMBIENT, ambient=color, position=(x, y, z))
+        try:
+            color, position = self._light_color(v1, v2, v3), (x + 0.0, y + 0.0, z + 0.0)
+        except TypeError:
+            self._refuse_light("ambientLight", (v1, v2, v3, x, y, z), AMBIENTLIGHT_USAGE)
+        self._add_light(LightKind.AMBIENT, ambient=color, position=position)
 
     def directionalLight(
         self, v1: float, v2: float, v3: float, nx: float, ny: float, nz: float
@@ -111,8 +120,12 @@ class Lights(Styling):
         >>> translate(50, 50)
         >>> sphere(40)
         """
-        color = self._light_color("directionalLight", v1, v2, v3)
-        self._add_light(LightKind.DIRECTIONAL, diffuse=color, direction=(nx, ny, nz))
+        try:
+            color, direction = self._light_color(v1, v2, v3), (nx + 0.0, ny + 0.0, nz + 0.0)
+        except TypeError:
+            args = (v1, v2, v3, nx, ny, nz)
+            self._refuse_light("directionalLight", args, DIRECTIONALLIGHT_USAGE)
+        self._add_light(LightKind.DIRECTIONAL, diffuse=color, direction=direction)
 
     def pointLight(self, v1: float, v2: float, v3: float, x: float, y: float, z: float) -> None:
         """Add light from a place, as from a lamp.
@@ -136,8 +149,11 @@ class Lights(Styling):
         >>> translate(50, 50)
         >>> sphere(40)
         """
-        color = self._light_color("pointLight", v1, v2, v3)
-        self._add_light(LightKind.POINT, diffuse=color, position=(x, y, z))
+        try:
+            color, position = self._light_color(v1, v2, v3), (x + 0.0, y + 0.0, z + 0.0)
+        except TypeError:
+            self._refuse_light("pointLight", (v1, v2, v3, x, y, z), POINTLIGHT_USAGE)
+        self._add_light(LightKind.POINT, diffuse=color, position=position)
 
     def spotLight(
         self,
@@ -180,13 +196,15 @@ class Lights(Styling):
         >>> translate(50, 50)
         >>> sphere(40)
         """
-        color = self._light_color("spotLight", v1, v2, v3)
+        try:
+            color = self._light_color(v1, v2, v3)
+            position, direction = (x + 0.0, y + 0.0, z + 0.0), (nx + 0.0, ny + 0.0, nz + 0.0)
+            cone = (max(0.0, math.cos(angle)), concentration + 0.0)
+        except (TypeError, ValueError):  # ValueError: of an infinite angle
+            args = (v1, v2, v3, x, y, z, nx, ny, nz, angle, concentration)
+            self._refuse_light("spotLight", args, SPOTLIGHT_USAGE)
         self._add_light(
-            LightKind.SPOT,
-            diffuse=color,
-            position=(x, y, z),
-            direction=(nx, ny, nz),
-            cone=(max(0.0, math.cos(angle)), float(concentration)),
+            LightKind.SPOT, diffuse=color, position=position, direction=direction, cone=cone
         )
 
     def lightFalloff(self, constant: float, linear: float, quadratic: float) -> None:
@@ -225,7 +243,10 @@ class Lights(Styling):
         >>> translate(50, 50)
         >>> sphere(40)
         """
-        self._light_specular = self._light_color("lightSpecular", v1, v2, v3)
+        try:
+            self._light_specular = self._light_color(v1, v2, v3)
+        except TypeError:
+            self._refuse_light("lightSpecular", (v1, v2, v3), LIGHTSPECULAR_USAGE)
 
     def ambient(self, v1: ColorLike, v2: float | None = None, v3: float | None = None) -> None:
         """Set the colour that a surface shows in ambient light; until then it is the fill colour.
@@ -276,15 +297,15 @@ class Lights(Styling):
         except TypeError:
             self._refuse("shininess", (shine,), "shine")
 
-    def _light_color(self, name: str, v1: float, v2: float, v3: float) -> Vector3:
+    def _light_color(self, v1: float, v2: float, v3: float) -> Vector3:
         """Return a light's colour, 0..1 each: it is not rounded to bytes, as other colours are."""
         mode = self._color_mode
-        try:
-            parts = (v1 / mode.max1, v2 / mode.max2, v3 / mode.max3)
-        except TypeError:
-            self._refuse(name, (v1, v2, v3), LIGHT_USAGE)
+        parts = (v1 / mode.max1, v2 / mode.max2, v3 / mode.max3)
         r, g, b = (min(max(part, 0.0), 1.0) for part in parts)
         return hsb_to_rgb(r, g, b) if mode.model == c.HSB else (r, g, b)
+
+    def _refuse_light(self, name: str, args: tuple[object, ...], usage: str) -> NoReturn:
+        self._refuse(name, args, in_model(self._color_mode.model, usage))
 
     def _add_light(
         self,

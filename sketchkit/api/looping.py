@@ -128,6 +128,8 @@ class Looping(SketchParts):
 
         Examples
         --------
+        >>> def loadEverything():
+        ...     loadStrings("poem.txt")
         >>> thread("loadEverything")
         """
         function = self._function("thread", name)
@@ -143,6 +145,9 @@ class Looping(SketchParts):
 
         Examples
         --------
+        >>> def drawTree():
+        ...     line(50, 90, 50, 40)
+        ...     circle(50, 30, 40)
         >>> method("drawTree")
         """
         self._function("method", name)()

@@ -14,6 +14,7 @@ from typing import Any, Self, overload
 
 from sketchkit.api.pvector_arithmetic import VectorArithmetic
 from sketchkit.api.pvector_measures import Point, wrong_vector
+from sketchkit.core.errors import wrong_numbers
 from sketchkit.core.rng import JavaRandom
 
 _random = JavaRandom(time.time_ns())
@@ -79,7 +80,8 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
             self.y = y + 0.0
             self.z = z + 0.0
         except TypeError:
-            raise wrong_vector("PVector", "2 or 3 numbers", x, y, z) from None
+            given = (x, y) if z.__class__ is float and not z else (x, y, z)
+            raise wrong_numbers("PVector", given, "x, y [, z]") from None
 
     @overload
     def set(self, x: Point | Sequence[float], /) -> PVector: ...

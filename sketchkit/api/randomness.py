@@ -9,6 +9,7 @@ from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.noise import PerlinNoise
 from sketchkit.core.rng import JavaRandom
 
+RANDOM_USAGE = "high | low, high | list"
 T = TypeVar("T")
 
 
@@ -55,10 +56,10 @@ class Randomness:
                 return self._random.between(low, high)  # type: ignore[arg-type]  # raises
             return self._random.below(low)  # type: ignore[arg-type]  # raises
         except TypeError:
-            if high is None and isinstance(low, Sequence):
+            if high is None and isinstance(low, Sequence) and not isinstance(low, str):
                 return self._choice(low)
             args = (low,) if high is None else (low, high)
-            raise wrong_numbers("random", args, "high | low, high", (0, 1, 2)) from None
+            raise wrong_numbers("random", args, RANDOM_USAGE) from None
 
     def randomGaussian(self) -> float:
         """Return an unpredictable number, most often near 0 and seldom beyond -3 or 3.

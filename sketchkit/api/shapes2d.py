@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sketchkit.api.curve_vertices import CurveVertices
 from sketchkit.core.constants import CLOSE, POLYGON
+from sketchkit.core.errors import SketchError
 from sketchkit.draw.recorder import (
     ROW,
     Kind,
@@ -26,8 +27,15 @@ POINT, LINE, TRIANGLE, QUAD = (
 )
 RECT, ELLIPSE, ARC = Kind.RECT.value, Kind.ELLIPSE.value, Kind.ARC.value
 
+POINT_USAGE = "x, y [, z]"
+LINE_USAGE = "x1, y1, x2, y2 | x1, y1, z1, x2, y2, z2"
+TRIANGLE_USAGE = "x1, y1, x2, y2, x3, y3"
+QUAD_USAGE = "x1, y1, x2, y2, x3, y3, x4, y4"
 RECT_USAGE = "x, y, width, height [, radius] | x, y, width, height, tl, tr, br, bl"
+SQUARE_USAGE = "x, y, side"
 ELLIPSE_USAGE = "x, y, width [, height]"
+CIRCLE_USAGE = "x, y, diameter"
+ARC_USAGE = "x, y, width, height, start, stop [, mode]"
 
 
 class Shapes2D(CurveVertices):
@@ -60,7 +68,7 @@ class Shapes2D(CurveVertices):
                 recorder.rows, end, POINT, state, self._fill, self._stroke, self._weight, 0, x, y, z
             )
         except PackError:
-            self._again(self.point, (x, y, z), "x, y [, z]")
+            self._again(self.point, (x, y, z), POINT_USAGE)
         else:
             recorder.row_end = end + ROW
 
@@ -103,7 +111,7 @@ class Shapes2D(CurveVertices):
             )
         except PackError:
             args = (x1, y1, x2, y2) if x3 is None else (x1, y1, x2, y2, x3, y3)
-            self._again(self.line, args, "x1, y1, x2, y2 | x1, y1, z1, x2, y2, z2")
+            self._again(self.line, args, LINE_USAGE)
         else:
             recorder.row_end = end + ROW
 
@@ -127,7 +135,7 @@ class Shapes2D(CurveVertices):
                 recorder.rows, end, TRIANGLE, state, fill, stroke, weight, 0, x1, y1, x2, y2, x3, y3
             )
         except PackError:
-            self._again(self.triangle, (x1, y1, x2, y2, x3, y3), "x1, y1, x2, y2, x3, y3")
+            self._again(self.triangle, (x1, y1, x2, y2, x3, y3), TRIANGLE_USAGE)
         else:
             recorder.row_end = end + ROW
 
@@ -161,7 +169,7 @@ class Shapes2D(CurveVertices):
                 recorder.rows, end, QUAD, state, self._fill, self._stroke, self._weight, 0, *corners
             )
         except PackError:
-            self._again(self.quad, corners, "x1, y1, x2, y2, x3, y3, x4, y4")
+            self._again(self.quad, corners, QUAD_USAGE)
         else:
             recorder.row_end = end + ROW
 
@@ -232,7 +240,10 @@ class Shapes2D(CurveVertices):
         --------
         >>> square(20, 20, 60)
         """
-        self.rect(x, y, extent, extent)
+        try:
+            self.rect(x, y, extent, extent)
+        except SketchError:
+            self._refuse("square", (x, y, extent), SQUARE_USAGE)
 
     def ellipse(self, a: float, b: float, c: float, d: float | None = None) -> None:
         """Draw an ellipse; `ellipseMode()` gives the four numbers their meaning.
@@ -257,8 +268,7 @@ class Shapes2D(CurveVertices):
         """
         recorder, end = self._recorder, self._recorder.row_end
         state = self._state if self._state >= 0 else self._note_state()
-        if d is None:
-            d = c
+        height = c if d is None else d
         try:
             pack_row4(
                 recorder.rows,
@@ -272,10 +282,10 @@ class Shapes2D(CurveVertices):
                 a,
                 b,
                 c,
-                d,
+                height,
             )
         except PackError:
-            self._again(self.ellipse, (a, b, c, d), ELLIPSE_USAGE)
+            self._again(self.ellipse, (a, b, c) if d is None else (a, b, c, d), ELLIPSE_USAGE)
         else:
             recorder.row_end = end + ROW
 
@@ -293,7 +303,10 @@ class Shapes2D(CurveVertices):
         --------
         >>> circle(50, 50, 60)
         """
-        self.ellipse(x, y, extent, extent)
+        try:
+            self.ellipse(x, y, extent, extent)
+        except SketchError:
+            self._refuse("circle", (x, y, extent), CIRCLE_USAGE)
 
     def arc(
         self, a: float, b: float, c: float, d: float, start: float, stop: float, mode: int = 0
@@ -317,7 +330,7 @@ class Shapes2D(CurveVertices):
         try:
             angles = wrap_angles(start, stop)
         except TypeError:
-            self._refuse("arc", (a, b, c, d, start, stop), "x, y, width, height, start, stop")
+            self._refuse("arc", (a, b, c, d, start, stop), ARC_USAGE)
         if angles is None:
             return
         recorder, end = self._recorder, self._recorder.row_end
@@ -328,8 +341,8 @@ class Shapes2D(CurveVertices):
                 recorder.rows, end, ARC, state, fill, stroke, weight, 0, a, b, c, d, *angles, mode
             )
         except PackError:
-            usage = "x, y, width, height, start, stop [, mode]"
-            self._again(self.arc, (a, b, c, d, start, stop, mode), usage)
+            args = (a, b, c, d, start, stop, mode) if mode else (a, b, c, d, start, stop)
+            self._again(self.arc, args, ARC_USAGE)
         else:
             recorder.row_end = end + ROW
 

@@ -7,6 +7,9 @@ from sketchkit.core.notices import warn_once
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row1, pack_row3
 
 BOX, SPHERE = Kind.BOX.value, Kind.SPHERE.value
+BOX_USAGE = "size | width, height, depth"
+SPHERE_USAGE = "radius"
+SPHEREDETAIL_USAGE = "around [, along]"
 FEWEST_AROUND, FEWEST_ALONG = 3, 2
 
 
@@ -47,7 +50,7 @@ class Shapes3D(CanvasParts):
                 recorder.rows, end, BOX, state, self._fill, self._stroke, self._weight, 0, w, h, d
             )
         except PackError:
-            return self._again(self.box, (w, h, d), "size | w, h, d")
+            return self._again(self.box, (w,) if w is h is d else (w, h, d), BOX_USAGE)
         recorder.row_end = end + ROW
         return None
 
@@ -84,7 +87,7 @@ class Shapes3D(CanvasParts):
                 recorder.rows, end, SPHERE, state, self._fill, self._stroke, self._weight, 0, r
             )
         except PackError:
-            return self._again(self.sphere, (r,), "radius")
+            return self._again(self.sphere, (r,), SPHERE_USAGE)
         recorder.row_end = end + ROW
         return None
 
@@ -108,7 +111,8 @@ class Shapes3D(CanvasParts):
         try:
             around, along = int(ures), int(ures if vres is None else vres)
         except (TypeError, ValueError):
-            self._refuse("sphereDetail", (ures, vres), "around [, along]")
+            args = (ures,) if vres is None else (ures, vres)
+            self._refuse("sphereDetail", args, SPHEREDETAIL_USAGE)
         self._restyle("sphere_detail", (max(around, FEWEST_AROUND), max(along, FEWEST_ALONG)))
 
     def _need_3d(self, name: str) -> None:

@@ -7,8 +7,8 @@ from dataclasses import replace
 from sketchkit.api._parts import Block, CanvasParts
 from sketchkit.api.color import ColorLike
 from sketchkit.core import constants as c
-from sketchkit.core.color import pack, to_packed
-from sketchkit.core.errors import SketchError
+from sketchkit.core.color import USAGE, pack
+from sketchkit.core.errors import SketchError, either, shown, wrong_numbers
 from sketchkit.core.style import NO_COLOR, SavedStyle
 from sketchkit.draw.pipeline import Blend
 
@@ -21,15 +21,25 @@ _BLUE = {value: value for value in range(256)}
 RECT_MODES = {c.CORNER: "CORNER", c.CORNERS: "CORNERS", c.RADIUS: "RADIUS", c.CENTER: "CENTER"}
 CAPS = {c.ROUND: "ROUND", c.SQUARE: "SQUARE", c.PROJECT: "PROJECT"}
 JOINS = {c.MITER: "MITER", c.BEVEL: "BEVEL", c.ROUND: "ROUND"}
+FILL_USAGE = STROKE_USAGE = TINT_USAGE = USAGE
+RECTMODE_USAGE = ELLIPSEMODE_USAGE = " | ".join(RECT_MODES.values())
+IMAGEMODE_USAGE = "CORNER | CORNERS | CENTER"
+STROKECAP_USAGE = " | ".join(CAPS.values())
+STROKEJOIN_USAGE = " | ".join(JOINS.values())
 MOST_SAVED = 64  # pushStyle() without popStyle(): beyond it a pop is missing, not a deep drawing
 
 
 def check_choice(name: str, value: object, choices: dict[int, str]) -> None:
     """Raise a SketchError unless `value` is one of the constants."""
-    if value not in choices:
-        known = list(choices.values())
-        listed = f"{', '.join(known[:-1])} or {known[-1]}"
-        raise SketchError(f"{name}() takes {listed}.", got=repr(value))
+    try:
+        is_known = value in choices
+    except TypeError:  # a list, say
+        is_known = False
+    if not is_known:
+        is_quoted = value in choices.values()
+        hint = f"Write {value} without quotes." if is_quoted else None
+        problem = f"{name}() takes {either(choices.values())}."
+        raise SketchError(problem, got=shown(value), hint=hint)
 
 
 class Styling(CanvasParts):
@@ -177,9 +187,10 @@ class Styling(CanvasParts):
 
     def _mix(self, name: str, *args: ColorLike | None) -> int:
         """Return the packed colour of the arguments that were given."""
+        given = [arg for arg in args if arg is not None]
         if args[0] is None:
-            return to_packed(None, name)
-        return pack(self._color_mode, *(arg for arg in args if arg is not None), name=name)
+            raise wrong_numbers(name, (None, *given), USAGE)
+        return pack(self._color_mode, *given, name=name)
 
     def strokeWeight(self, weight: float) -> None:
         """Set how thick lines, points and outlines are.

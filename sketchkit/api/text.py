@@ -15,10 +15,10 @@ from sketchkit.core.float32 import ROUND, f32
 from sketchkit.core.matrix import translate
 from sketchkit.data.wrapping import wrap
 from sketchkit.draw.pipeline import Blend
-from sketchkit.draw.recorder import ROW, pack_row8
+from sketchkit.draw.recorder import ROW, PackError, pack_row8
 from sketchkit.geometry.rects import rect_edges
 
-TEXT_USAGE = "x, y | x, y, z | x, y, width, height"
+TEXT_USAGE = "text, x, y [, z] | text, x, y, width, height"
 
 
 class Block(NamedTuple):
@@ -67,16 +67,19 @@ class Text(Typesetting, Images):
         try:
             x, y, *numbers = (f32(number + 0.0) for number in (x, y, *more))
         except TypeError:
-            self._refuse("text", (x, y, *more), TEXT_USAGE)
+            self._refuse("text", (what, x, y, *more), TEXT_USAGE)
         written = as_text(what)
-        if not numbers:
-            self._write(self._lines_at(written, x, y))
-        elif len(numbers) == 1:
-            self._write(self._lines_at(written, x, y), numbers[0])
-        elif len(numbers) == 2:
-            self._write(self._lines_in_box(written, x, y, *numbers))
-        else:
-            self._refuse("text", (x, y, *more), TEXT_USAGE)
+        try:
+            if not numbers:
+                self._write(self._lines_at(written, x, y))
+            elif len(numbers) == 1:
+                self._write(self._lines_at(written, x, y), numbers[0])
+            elif len(numbers) == 2:
+                self._write(self._lines_in_box(written, x, y, *numbers))
+            else:
+                self._refuse("text", (what, x, y, *more), TEXT_USAGE)
+        except PackError:
+            self._refuse("text", (what, x, y, *more), TEXT_USAGE)
 
     def _lines_at(self, written: str, x: float, y: float) -> Block:
         """Return the lines of a text, aligned at a point."""

@@ -7,8 +7,11 @@ from typing import Any
 from sketchkit.api._parts import Block, CanvasParts
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
 from sketchkit.core import matrix as mat
-from sketchkit.core.errors import SketchError
+from sketchkit.core.errors import SketchError, shown
 
+TRANSLATE_USAGE = "x, y [, z]"
+ROTATE_USAGE = "angle | angle, x, y, z"
+SCALE_USAGE = "factor | x, y [, z]"
 MOST_MATRICES = 32  # Processing's own limit: it catches the pushMatrix() whose pop is missing
 
 
@@ -39,7 +42,7 @@ class Transforms(CanvasParts):
         try:
             self._modelview = mat.translate(self._modelview, x, y, z)
         except TypeError:
-            self._refuse("translate", (x, y, z), "x, y [, z]")
+            self._refuse("translate", (x, y, z), TRANSLATE_USAGE)
         self._state = -1
 
     def rotate(self, angle: float, x: float = 0.0, y: float = 0.0, z: float | None = None) -> None:
@@ -64,7 +67,7 @@ class Transforms(CanvasParts):
                 self._modelview = mat.rotate_axis(self._modelview, angle, x, y, z)
         except TypeError:
             args = (angle,) if z is None else (angle, x, y, z)
-            self._refuse("rotate", args, "angle | angle, x, y, z")
+            self._refuse("rotate", args, ROTATE_USAGE)
         self._state = -1
 
     def rotateX(self, angle: float) -> None:
@@ -136,7 +139,7 @@ class Transforms(CanvasParts):
                 self._modelview = mat.scale(self._modelview, x, y, 1.0 if z is None else z)
         except TypeError:
             args = tuple(value for value in (x, y, z) if value is not None)
-            self._refuse("scale", args, "factor | x, y [, z]")
+            self._refuse("scale", args, SCALE_USAGE)
         self._state = -1
 
     def shearX(self, angle: float) -> None:
@@ -300,6 +303,6 @@ class Transforms(CanvasParts):
         if len(numbers) != 16:
             raise SketchError(
                 f"{name}() takes a PMatrix, or 6 or 16 numbers, row by row.",
-                got=f"{len(source)} arguments",
+                got=f"{len(source)}: {name}({', '.join(map(shown, source))})",
             )
         return numbers[:12]

@@ -18,6 +18,10 @@ from sketchkit.data.strings import nfs
 
 LEADING = f32(1.275)  # from line to line, in heights of a letter from ascent to descent
 FIRST_SIZE = 12.0
+CREATEFONT_USAGE = "name, size"
+TEXTALIGN_USAGE = "horizontal [, vertical]"
+TEXTFONT_USAGE = "font [, size]"
+TEXTWIDTH_USAGE = "text"
 ALIGNMENTS = {c.LEFT: "LEFT", c.CENTER: "CENTER", c.RIGHT: "RIGHT"}
 VERTICAL = {c.TOP: "TOP", c.CENTER: "CENTER", c.BASELINE: "BASELINE", c.BOTTOM: "BOTTOM"}
 TEXT_MODES = {c.MODEL: "MODEL", c.SHAPE: "SHAPE"}
@@ -230,7 +234,7 @@ class Typesetting(CanvasParts):
         try:
             is_positive = size > 0
         except TypeError:
-            self._refuse("createFont", (size,), "size")
+            self._refuse("createFont", (name, size), CREATEFONT_USAGE)
         if not is_positive:
             raise SketchError("createFont() takes a size above 0.", got=shown(size))
         if str(name).lower().endswith(FONT_FILES):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from sketchkit.api._parts import FACING, WHITE, Block, CanvasParts, OpenShape
 from sketchkit.api.style import check_choice
 from sketchkit.core import constants as c
-from sketchkit.core.errors import SketchError
+from sketchkit.core.errors import SketchError, kind_of, shown
 from sketchkit.draw.recorder import (
     CORNER,
     ROW,
@@ -26,7 +26,6 @@ from sketchkit.draw.resources import Pixels
 
 SHAPE = Kind.SHAPE.value
 KINDS = {
-    c.POLYGON: "no kind",
     c.POINTS: "POINTS",
     c.LINES: "LINES",
     c.TRIANGLES: "TRIANGLES",
@@ -36,6 +35,7 @@ KINDS = {
     c.QUAD_STRIP: "QUAD_STRIP",
     c.LINE_STRIP: "LINE_STRIP",
     c.LINE_LOOP: "LINE_LOOP",
+    c.POLYGON: "nothing",
 }
 # The names of single shapes stand for those of many, as in Processing.
 KIND_OF = {c.TRIANGLE: c.TRIANGLES, c.QUAD: c.QUADS, c.LINE: c.LINES, c.POINT: c.POINTS}
@@ -171,7 +171,7 @@ class Vertices(CanvasParts):
                 color,
                 self._stroke,
             )
-        except (PackError, TypeError):
+        except (*PackError, TypeError):
             self._again(self.vertex, (x, y, z, *uv), VERTEX_USAGE)
             return
         if shape.texture is not None:
@@ -366,9 +366,9 @@ def pixels_of(caller: str, image: object) -> Pixels:
     pixels = getattr(image, "_texture", None)
     found = pixels() if callable(pixels) else image
     if not isinstance(found, Pixels):
-        raise SketchError(
-            f"{caller}() takes an image.",
-            got=type(image).__name__,
-            hint="loadImage() and createImage() make one.",
-        )
+        hint = "loadImage() and createImage() make one."
+        if isinstance(image, str):
+            hint = f"In setup() write img = loadImage({image!r}), and here img."
+        got = f"{kind_of(image)}: {shown(image)}" if image is not None else "None"
+        raise SketchError(f"{caller}() takes an image.", got=got, hint=hint)
     return found

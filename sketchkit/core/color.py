@@ -17,7 +17,8 @@ from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, nearest, wrong_numbers
 from sketchkit.core.float32 import ROUND, f32
 
-USAGE = "gray | gray, alpha | v1, v2, v3 | v1, v2, v3, alpha"
+COMPONENTS = {c.RGB: "red, green, blue", c.HSB: "hue, saturation, brightness"}
+USAGE = f"gray [, alpha] | {COMPONENTS[c.RGB]} [, alpha]"
 
 _GRAY = {v: 0xFF000000 | v << 16 | v << 8 | v for v in range(256)}
 _HEX = re.compile("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
@@ -82,7 +83,14 @@ def pack(mode: ColorMode, *args: Any, name: str = "color") -> int:  # noqa: ANN4
             return _pack_components(mode, *args)
         return _pack(mode, args, name)
     except (TypeError, ValueError):
-        raise wrong_numbers(name, args, USAGE) from None
+        is_text = bool(args) and isinstance(args[0], str) and len(args) <= 2
+        usage = "color [, alpha]" if is_text else in_model(mode.model, USAGE)
+        raise wrong_numbers(name, args, usage) from None
+
+
+def in_model(model: int, usage: str) -> str:
+    """Return a usage with the components of RGB or HSB in place of those of RGB."""
+    return usage.replace(COMPONENTS[c.RGB], COMPONENTS[model])
 
 
 def to_packed(color: object, name: str = "color") -> int:

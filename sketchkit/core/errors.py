@@ -5,9 +5,24 @@ are added where it is reported.
 """
 
 import difflib
+import math
 import re
 import reprlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+
+from sketchkit.core.constants import MAX_FLOAT
+
+# Names in a usage that may stand for something else than a number, and what that is.
+OTHER_KINDS: dict[str, type] = {
+    "color": str,
+    "color1": str,
+    "color2": str,
+    "font": object,
+    "image": object,
+    "name": object,
+    "renderer": object,
+    "text": object,
+}
 
 
 class SketchError(Exception):
@@ -53,7 +68,8 @@ def wrong_numbers(
         What it was called with.
     usage : str
         The names of its numbers, `"x, y, width, height"`. Those that may be left out stand in
-        brackets, `"x, y [, z]"`, and other forms after a bar, `"a, b | list"`.
+        brackets, `"x, y [, z]"`, and other forms after a bar, `"a, b | list"`. Names in capitals
+        are constants.
     counts : sequence of int, optional
         How many numbers it takes, where `usage` does not show that.
 
@@ -66,16 +82,21 @@ def wrong_numbers(
     sq() takes 1 number: n.
         Got text for n: sq('7').  float('7') makes a number of it.
     """
-    allowed = sorted(set(counts) or _counts(usage))
-    numbers = f"{_either(allowed)} {'number' if allowed == [1] else 'numbers'}"
-    problem = f"{name}() takes {numbers}: {', or '.join(usage.split(' | '))}."
+    allowed = sorted(set(counts) or set(map(len, _forms(usage))) or {0})
+    problem = f"{name}() takes {_takes(usage, allowed)}."
     call = f"{name}({', '.join(map(shown, args))})"
     if len(args) not in allowed:
         return SketchError(problem, got=f"{len(args)}: {call}")
+    if usage.isupper():
+        return SketchError(problem, got=call)
     for place, value in enumerate(args):
-        if not _is_number(value):
-            got = f"{_kind(value)} for {_argument_name(usage, len(args), place)}: {call}"
+        argument = _argument_name(usage, len(args), place)
+        if not _is_number(value) and not isinstance(value, OTHER_KINDS.get(argument, ())):
+            got = f"{kind_of(value)} for {argument}: {call}"
             return SketchError(problem, got=got, hint=_number_hint(value))
+        if _is_too_large(value):
+            problem = f"A number for {name}() is too large: 3.4e38 is the most."
+            return SketchError(problem, got=f"{shown(value)} for {argument}: {call}")
     return SketchError(problem, got=call)
 
 
@@ -107,42 +128,66 @@ _short = reprlib.Repr()
 _short.maxstring = _short.maxother = 40
 
 
-def _counts(usage: str) -> set[int]:
-    counts = set()
+def kind_of(value: object) -> str:
+    """Return in words what a value is that was given where it does not belong."""
+    if value is None:
+        return "None"
+    if isinstance(value, str):
+        return "text"
+    if isinstance(value, int | float):
+        return "a number"
+    if callable(value):
+        return "a function"
+    name = type(value).__name__
+    return f"{'an' if name[0] in 'aeiouAEIOU' else 'a'} {name}"
+
+
+def either(choices: Iterable[object]) -> str:
+    """Return choices as a sentence lists them.
+
+    Examples
+    --------
+    >>> either([4, 5, 8])
+    '4, 5 or 8'
+    """
+    *others, last = map(str, choices)
+    return f"{', '.join(others)} or {last}" if others else last
+
+
+def _takes(usage: str, counts: Sequence[int]) -> str:
+    """Return how many values a function takes, and their names."""
+    forms = usage.split(" | ")
+    if usage.isupper():
+        return either(forms)
+    is_numeric = not any(name in OTHER_KINDS for names in _forms(usage) for name in names)
+    noun = "number" if is_numeric else "value"
+    return f"{either(counts)} {noun}{'s' * (list(counts) != [1])}: {', or '.join(forms)}"
+
+
+def _forms(usage: str) -> Iterator[list[str]]:
+    """Yield the names of each way to call: of `x, y [, z]` x and y, then x, y and z."""
     for form in filter(None, usage.split(" | ")):
-        total = 1
+        names: list[str] = []
         for part in form.split("["):
-            total += part.count(",")
-            counts.add(total)
-    return counts or {0}
-
-
-def _either(counts: Sequence[int]) -> str:
-    *others, last = counts
-    return f"{', '.join(map(str, others))} or {last}" if others else str(last)
+            names += filter(None, (name.strip(" ]") for name in part.split(",")))
+            yield list(names)
 
 
 def _is_number(value: object) -> bool:
     return isinstance(value, int | float) or hasattr(value, "__float__")
 
 
-def _kind(value: object) -> str:
-    if value is None:
-        return "None"
-    if isinstance(value, str):
-        return "text"
-    if callable(value):
-        return "a function"
-    kind = type(value).__name__
-    return f"{'an' if kind[0] in 'aeiouAEIOU' else 'a'} {kind}"
+def _is_too_large(value: object) -> bool:
+    """Return whether a number, infinity aside, does not fit into the 32 bits of Java's float."""
+    if not isinstance(value, int | float):
+        return False
+    return abs(value) > MAX_FLOAT and value not in (math.inf, -math.inf)
 
 
 def _argument_name(usage: str, count: int, place: int) -> str:
-    for form in usage.split(" | "):
-        names = [name.strip(" ]") for name in form.replace("[", "").split(",")]
-        if len(names) == count:
-            return names[place]
-    return f"number {place + 1}"
+    return next(
+        (names[place] for names in _forms(usage) if len(names) == count), f"number {place + 1}"
+    )
 
 
 def _number_hint(value: object) -> str | None:

@@ -26,14 +26,14 @@ class Clear:
 class Settling(Enum):
     """What becomes of the old picture when a frame begins."""
 
-    KEEP = "keep"  # it stays as it is
-    MEAN = "mean"  # all samples of a pixel get their mean
-    TURN = "turn"  # all samples get the first one's value, and the rows change places
+    KEEP = "keep"  # it stays as it is, and depth is reset
+    MEAN = "mean"  # all samples of a pixel get their mean; depth stays
+    TURN = "turn"  # all get the first one's value, the rows change places, and depth is reset
 
 
 @dataclass(frozen=True, slots=True)
 class Settle:
-    """Begin a frame over the old picture, and reset the depth.
+    """Begin a frame over the old picture.
 
     For TURN, the target has been turned over already: its `top_row_first` is the new one.
     """

@@ -20,7 +20,8 @@ from sketchkit.core.style import Material, Style
 from sketchkit.draw.resources import Pixels
 from sketchkit.draw.stage import Stage
 
-PackError = struct.error
+# What packing raises: for what is no number, and for one that 32 bits cannot hold.
+PackError = (struct.error, OverflowError)
 
 
 class Kind(IntEnum):

@@ -13,6 +13,7 @@ from sketchkit.core.constants import (
     DISABLE_DEPTH_TEST,
     ENABLE_DEPTH_MASK,
     ENABLE_DEPTH_TEST,
+    ENABLE_KEY_REPEAT,
     P3D,
 )
 from sketchkit.core.errors import SketchError
@@ -105,6 +106,25 @@ class TestCamera:
         with pytest.raises(SketchError, match=r"camera\(\) takes 9 numbers"):
             deep.camera(*range(count))
 
+    def test_eye_at_its_own_centre_draws_nothing_amiss(self, deep):
+        deep.camera(1, 2, 3, 1, 2, 3, 0, 1, 0)
+        deep.lights()
+        deep.box(20)
+        deep.ortho()
+        deep.sphere(5)
+
+        deep.end_frame()
+
+        assert math.isfinite(deep.screenX(1, 2))
+
+
+@pytest.mark.parametrize("name", ["screenX", "screenY", "screenZ", "modelX", "modelY", "modelZ"])
+def test_place_that_is_no_number_is_named(deep, name):
+    with pytest.raises(SketchError, match=rf"{name}\(\) takes 2 or 3 numbers") as caught:
+        getattr(deep, name)("a", 2)
+
+    assert "text for x" in str(caught.value)
+
 
 class TestProjections:
     def test_ortho_keeps_sizes_at_every_depth(self, deep):
@@ -156,6 +176,11 @@ class TestProjections:
             (lambda g: g.ortho(1, 2, 3), r"ortho\(\) takes"),
             (lambda g: g.frustum(-1, 1, -1, 1, "2", 3), r"frustum\(\) takes 6 numbers"),
             (lambda g: g.frustum(1, 1, -1, 1, 2, 3), r"frustum\(\) needs sides"),
+            (lambda g: g.frustum(-1, 1, -1, 1, 2, 2), r"frustum\(\) needs sides"),
+            (lambda g: g.ortho(5, 5, 0, 1), r"ortho\(\) needs sides"),
+            (lambda g: g.ortho(0, 1, 0, 1, 7, 7), r"ortho\(\) needs sides"),
+            (lambda g: g.perspective(1, 1, 5, 5), r"perspective\(\) needs .* a far beyond near"),
+            (lambda g: g.perspective(0, 1, 5, 50), r"perspective\(\) needs fov, .* above 0"),
         ],
     )
     def test_wrong_numbers_are_refused(self, deep, call, message):
@@ -191,3 +216,14 @@ class TestHints:
         deep.begin_frame()
 
         assert not pipeline_of(deep).depth_test
+
+    @pytest.mark.parametrize("unknown", ["x", 99, 0, None, [2]])
+    def test_unknown_hint_is_refused(self, deep, unknown):
+        with pytest.raises(SketchError, match=r"hint\(\) takes DISABLE_DEPTH_TEST, "):
+            deep.hint(unknown)
+
+    def test_hint_for_java_alone_changes_nothing(self, deep):
+        before = pipeline_of(deep)
+        deep.hint(ENABLE_KEY_REPEAT)
+
+        assert pipeline_of(deep) == before

@@ -202,11 +202,14 @@ def test_no_clip_draws_everywhere_again(flat):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda g, i: g.image(i, 1, 2, 3), "takes 2, 4 or 8 numbers"),
-        (lambda g, i: g.image(i, 1, 2, 3, 4, 5), "takes 2, 4 or 8 numbers"),
+        (lambda g, i: g.image(i, 1, 2, 3), "takes 3, 5 or 9 values"),
+        (lambda g, i: g.image(i, 1, 2, 3, 4, 5), "takes 3, 5 or 9 values"),
         (lambda g, i: g.image(i, 1, "2"), "Got text for y"),
         (lambda g, i: g.image(i, 1, None), "Got None for y"),
         (lambda g, i: g.image("photo.png", 1, 2), "takes an image"),
+        (lambda g, i: g.image("photo.png", 1, 2), r"img = loadImage\('photo.png'\)"),
+        (lambda g, i: g.image(5, 1, 2), "Got a number: 5"),
+        (lambda g, i: g.image(i, 1e40, 2), r"image\(\) is too large"),
         (lambda g, i: g.image(None, 1, 2), "takes an image"),
         (lambda g, i: g.clip(1, 2, 3, "4"), "Got text for height"),
         (lambda g, i: g.background(i), "Got 20 x 10 for a canvas of 100 x 100"),

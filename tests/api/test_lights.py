@@ -183,6 +183,26 @@ def test_what_is_no_number_is_refused(deep, call, message):
         call(deep)
 
 
+def test_number_of_a_light_is_named(deep):
+    with pytest.raises(SketchError, match="Got text for x: pointLight"):
+        deep.pointLight(1, 2, 3, "x", 0, 0)
+
+
+def test_component_of_a_light_is_named_as_the_color_mode_has_it(deep):
+    deep.colorMode(HSB)
+
+    with pytest.raises(SketchError, match="Got text for brightness"):
+        deep.directionalLight(1, 2, "3", 0, 0, -1)
+
+
+def test_refused_light_is_not_added(deep):
+    deep.lights()
+    with pytest.raises(SketchError):
+        deep.pointLight(255, 255, 255, None, 0, 0)
+
+    assert len(lights_of(deep)) == 2
+
+
 class TestMaterials:
     def test_ambient_color_is_the_fill_until_it_is_set(self, deep):
         deep.lights()

@@ -198,7 +198,7 @@ def test_only_vectors_can_be_added(v, other):
         (lambda v: v.cross(3), "cross() takes a PVector.\n"),
         (lambda v: v.dot(3), "dot() takes a PVector or 3 numbers.\n"),
         (lambda v: v.setMag("2"), "setMag() takes a length.\n"),
-        (lambda v: PVector(v), "PVector() takes 2 or 3 numbers.\n"),
+        (lambda v: PVector(v), "PVector() takes 2 or 3 numbers: x, y [, z].\n"),
         (lambda v: PVector.add(v, 3), "PVector.add() takes two PVectors.\n"),
         (lambda v: PVector.mult(3, v), "PVector.mult() takes a PVector first.\n"),
         (lambda v: PVector.angleBetween(v, 3), "angleBetween() takes two PVectors.\n"),

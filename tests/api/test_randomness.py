@@ -58,7 +58,7 @@ def test_noise_detail_of_one_octave_is_at_most_a_half(chance):
     assert max(chance.noise(x / 10) for x in range(500)) <= 0.5
 
 
-@pytest.mark.parametrize("name", ["randomSeed", "noiseSeed", "noiseDetail", "noise"])
+@pytest.mark.parametrize("name", ["random", "randomSeed", "noiseSeed", "noiseDetail", "noise"])
 def test_text_is_no_number(chance, name):
     with pytest.raises(SketchError, match=rf"^{name}\(\) takes"):
         getattr(chance, name)("text")

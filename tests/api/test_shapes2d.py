@@ -23,11 +23,13 @@ from tests.canvases import drawn, draws, fills
         (lambda g: g.line(1, 2, 3, "4"), "text for y2"),
         (lambda g: g.ellipse(1, 2, "3"), "text for width"),
         (lambda g: g.arc(1, 2, 3, 4, "0", 1), "text for start"),
+        (lambda g: g.arc(1, 2, 3, 4, 0, 1, "PIE"), "text for mode"),
+        (lambda g: g.rect(10, 20, 30, 40, 1, 2, 3, "4"), "text for bl"),
         (lambda g: g.point("1", 2), "text for x"),
         (lambda g: g.triangle(1, 2, 3, 4, 5, "6"), "text for y3"),
         (lambda g: g.quad(1, 2, 3, 4, 5, 6, 7, None), "None for y4"),
-        (lambda g: g.square(1, 2, "3"), "text for"),
-        (lambda g: g.circle(1, 2, "3"), "text for"),
+        (lambda g: g.square(1, 2, "3"), "text for side: square(1, 2, '3')"),
+        (lambda g: g.circle(1, 2, "3"), "text for diameter: circle(1, 2, '3')"),
         (lambda g: g.bezier(1, 2, 3), "Got 3"),
     ],
 )
@@ -48,6 +50,23 @@ def test_refused_call_draws_nothing(flat):
 def test_text_that_is_a_number_gets_a_hint(flat):
     with pytest.raises(SketchError, match=r"float\('40'\) makes a number of it"):
         flat.rect(10, 20, 30, "40")
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda g: g.point(1e40, 2),
+        lambda g: g.line(1e40, 2, 3, 4),
+        lambda g: g.rect(-1e40, 2, 3, 4),
+        lambda g: g.rect(10**50, 2, 3, 4),
+        lambda g: g.circle(1, 2, 1e40),
+        lambda g: g.triangle(1e40, 2, 3, 4, 5, 6),
+    ],
+    ids=["point", "line", "rect", "whole number", "circle", "triangle"],
+)
+def test_number_beyond_java_floats_is_too_large(flat, call):
+    with pytest.raises(SketchError, match=r"A number for \w+\(\) is too large"):
+        call(flat)
 
 
 @pytest.mark.parametrize("count", [1024, 1025, 5000])
@@ -74,6 +93,27 @@ def test_rect_with_three_numbers_tells_how_many_it_takes(tmp_path):
     assert "rect() takes 4, 5 or 8 numbers: x, y, width, height" in message
     assert "Got 3: rect(10, 20, 30)" in message
     assert "square(10, 20, 30)" in message
+
+
+@pytest.mark.parametrize(
+    ("line", "takes"),
+    [
+        ("line(1, 2, 3)", "4 or 6 numbers: x1, y1, x2, y2, or x1, y1, z1, x2, y2, z2"),
+        ("arc(1, 2, 3, 4)", "6 or 7 numbers: x, y, width, height, start, stop [, mode]"),
+        ("rotate()", "1 or 4 numbers: angle, or angle, x, y, z"),
+        ("scale()", "1, 2 or 3 numbers: factor, or x, y [, z]"),
+        ("translate(1)", "2 or 3 numbers: x, y [, z]"),
+        ("box()", "1 or 3 numbers: size, or width, height, depth"),
+        ("fill()", "1, 2, 3 or 4 numbers: gray [, alpha], or red, green, blue [, alpha]"),
+        ("text('a')", "3, 4 or 5 values: text, x, y [, z], or text, x, y, width, height"),
+        ("rectMode()", "CORNER, CORNERS, RADIUS or CENTER"),
+        ("lights(3)", "nothing between its brackets"),
+        ("beginShape(5000)", "POINTS, LINES, TRIANGLES, TRIANGLE_STRIP"),
+        ("random('a')", "1 or 2 numbers: high, or low, high, or list"),
+    ],
+)
+def test_report_says_what_a_function_takes(tmp_path, line, takes):
+    assert message_of(tmp_path, line).startswith(f"{line.partition('(')[0]}() takes {takes}")
 
 
 @pytest.mark.parametrize(

@@ -96,6 +96,30 @@ def test_unknown_mode_is_refused_with_the_known_ones(flat, name, wrong, named):
     assert f"{name}() takes {named}." in str(caught.value)
 
 
+def test_mode_in_quotes_gets_a_hint(flat):
+    with pytest.raises(SketchError, match="Write CENTER without quotes"):
+        flat.rectMode("CENTER")
+
+
+def test_mode_that_is_a_list_is_refused(flat):
+    with pytest.raises(SketchError, match=r"rectMode\(\) takes CORNER"):
+        flat.rectMode([1])
+
+
+def test_stroke_weight_beyond_java_floats_is_told_with_the_shape(flat):
+    flat.strokeWeight(1e40)
+
+    with pytest.raises(SketchError, match=r"A number for strokeWeight\(\) is too large"):
+        flat.square(1, 2, 3)
+
+
+def test_components_are_named_as_the_color_mode_has_them(flat):
+    flat.colorMode(HSB)
+
+    with pytest.raises(SketchError, match="Got None for saturation"):
+        flat.background(1, None, 3)
+
+
 @pytest.mark.parametrize(
     ("mode", "corner"),
     [(CORNER, (40, 40)), (CORNERS, (20, 20)), (CENTER, (30, 30)), (RADIUS, (20, 20))],

@@ -191,7 +191,8 @@ def test_a_thousand_letters_find_room(flat):
         (("a", "b", 3), "Got text for x"),
         (("a", 1, None), "Got None for y"),
         (("a", 1, 2, 3, "4"), "Got text for height"),
-        (("a", 1, 2, 3, 4, 5), "takes 2, 3 or 4 numbers"),
+        (("a", 1, 2, 3, 4, 5), "takes 3, 4 or 5 values"),
+        (("a", 1e40, 2), "text\\(\\) is too large"),
     ],
 )
 def test_mistakes_are_told(flat, arguments, message):

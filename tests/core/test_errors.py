@@ -2,7 +2,7 @@
 
 import pytest
 
-from sketchkit.core.errors import SketchError, nearest, shown, wrong_numbers
+from sketchkit.core.errors import SketchError, either, nearest, shown, wrong_numbers
 
 
 def test_message_of_a_problem_alone_is_one_line():
@@ -63,6 +63,49 @@ def test_wrong_kind_names_the_argument(value, got, hint):
     error = wrong_numbers("f", (1, value), "x, y")
 
     assert (error.got, error.hint) == (got, hint)
+
+
+@pytest.mark.parametrize(
+    ("args", "name"),
+    [
+        (("a", 2), "x"),
+        ((1, 2, "a"), "z"),
+        ((1, 2, 3, "a"), "v"),
+        ((1, 2, 3, 4, "a"), "number 5"),
+    ],
+    ids=["without the optional part", "the optional part", "the other form", "no form"],
+)
+def test_argument_is_named_by_the_form_of_its_count(args, name):
+    error = wrong_numbers("f", args, "x, y [, z] | x, y, u, v", (2, 3, 4, 5))
+
+    assert f"text for {name}: f(" in error.got
+
+
+def test_what_may_be_something_else_than_a_number_is_passed_over():
+    error = wrong_numbers("text", ("a", 1, "b"), "text, x, y")
+
+    assert error.problem == "text() takes 3 values: text, x, y."
+    assert error.got == "text for y: text('a', 1, 'b')"
+
+
+def test_constants_are_listed():
+    error = wrong_numbers("f", ("A",), "A | B | C_D")
+
+    assert error.message == "f() takes A, B or C_D.\n    Got f('A')."
+
+
+def test_number_that_is_too_large_is_the_problem():
+    error = wrong_numbers("f", (1, -1e40), "x, y")
+
+    assert error.problem == "A number for f() is too large: 3.4e38 is the most."
+    assert error.got == "-1e+40 for y: f(1, -1e+40)"
+
+
+@pytest.mark.parametrize(
+    ("choices", "sentence"), [((1,), "1"), ((1, 2), "1 or 2"), ((1, 2, 3), "1, 2 or 3")]
+)
+def test_either_lists_choices(choices, sentence):
+    assert either(choices) == sentence
 
 
 def test_shown_numbers_are_short():

@@ -72,7 +72,7 @@ def case(name: str, text: str, *parts: str) -> object:
             "Got 3: rect(10, 20, 30).  For a square write square(10, 20, 30).",
         ),
         case("too many arguments", "radians(1, 2)", "radians() takes 1 number", "Got 2"),
-        case("text for a number", "rect(1, 'a', 3, 4)", "text for number 2"),
+        case("text for a number", "rect(1, 'a', 3, 4)", "text for y"),
         case("unknown argument", "rect(1, 2, 3, 4, colour=3)", "no argument called colour"),
         case(
             "own function",
@@ -124,7 +124,7 @@ def case(name: str, text: str, *parts: str) -> object:
         case("popMatrix", "popMatrix()", "popMatrix() without pushMatrix()"),
         case("vertex", "vertex(1, 2)", "vertex() belongs between beginShape() and endShape()"),
         case("bad size", "size(0, 100)", "at least 1", "size(0, 100)"),
-        case("size without height", "size(100)", "size() takes 2 to 4 values", "Got 1: size(100)."),
+        case("size without height", "size(100)", "size() takes 2 or 3 values", "Got 1: size(100)."),
         case("renderer in quotes", "size(9, 9, 'P3D')", "without quotes"),
     ],
 )

@@ -119,14 +119,12 @@ class Frame:
             window.part_of(self._depths)[...] = FARTHEST << 32 | NO_TRIANGLE
 
     def settle(self, how: Settling) -> None:
-        """Begin a frame over the old picture, and make everything farthest."""
-        match how:
-            case Settling.MEAN:
-                self.colors[...] = self.picture()
-            case Settling.TURN:
-                self.colors[...] = self.colors[0, ::-1].copy()
-            case Settling.KEEP:
-                pass
+        """Begin a frame over the old picture."""
+        if how is Settling.MEAN:
+            self.colors[...] = self.picture()
+            return
+        if how is Settling.TURN:
+            self.colors[...] = self.colors[0, ::-1].copy()
         self._depths = None
 
     def picture(self) -> U8:

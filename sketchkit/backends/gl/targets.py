@@ -39,7 +39,7 @@ class Surface:
     def settle(
         self, context: moderngl.Context, how: Settling, first_sample: moderngl.VertexArray
     ) -> None:
-        """Begin a frame over the old picture, and reset the depth.
+        """Begin a frame over the old picture.
 
         `first_sample` draws the first sample of the multisampled texture that is bound.
         """
@@ -47,13 +47,19 @@ class Surface:
         framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget that it may be
         if how is Settling.TURN:
             self._turn_over(context, first_sample)
-        elif how is Settling.MEAN and self._colors is not None:
-            self.average(context)
-            context.copy_framebuffer(framebuffer, self._averaged)
+        if how is Settling.MEAN:
+            self._spread_mean(context)
+            return
         framebuffer.depth_mask = True
         framebuffer.color_mask = (False,) * 4
         framebuffer.clear(depth=1.0)
         framebuffer.color_mask = (True,) * 4
+
+    def _spread_mean(self, context: moderngl.Context) -> None:
+        """Give all samples of a pixel their mean."""
+        if self._colors is not None:
+            self.average(context)
+            context.copy_framebuffer(self.framebuffer, self._averaged)
 
     def _turn_over(self, context: moderngl.Context, first_sample: moderngl.VertexArray) -> None:
         """Let the rows change places. It happens once in a sketch: by way of the processor."""

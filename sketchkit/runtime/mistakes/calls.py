@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable
 from types import ModuleType
 
-from sketchkit.core.errors import shown, wrong_numbers
+from sketchkit.core.errors import either, shown, wrong_numbers
 from sketchkit.runtime.mistakes.mistake import KINDS, Explanation, Mistake, a_kind
 
 # What a function is often called for with so many values, and the function that does it.
@@ -145,7 +145,7 @@ def _takes(function: Callable[..., object]) -> str:
     if any(parameter.kind in VARIABLE for parameter in parameters):
         count = f"at least {needed}"
     else:
-        count = f"{needed}" if needed == most else f"{needed} to {most}"
+        count = either(range(needed, most + 1))
     is_numeric = all(_is_numeric(parameter) for parameter in parameters)
     noun = "number" if is_numeric else "value"
     return f"takes {count} {noun}{'s' * (count != '1')}: {_usage(parameters)}."

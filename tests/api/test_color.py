@@ -1,0 +1,35 @@
+"""What the calls of colours refuse; the colours themselves are tested in `core/test_color.py`."""
+
+from __future__ import annotations
+
+import pytest
+
+from sketchkit.core.constants import HSB
+from sketchkit.core.errors import SketchError
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda g: g.colorMode(HSB, "a"), "text for max:"),
+        (lambda g: g.colorMode(HSB, 360, "a", 100), "text for max2:"),
+        (lambda g: g.colorMode("HSB"), "Write HSB without quotes"),
+        (lambda g: g.colorMode(HSB, 0), "ranges greater than 0"),
+        (lambda g: g.lerpColor(0, 255, "a"), "text for amount:"),
+        (lambda g: g.lerpColor("red", "blue", None), "None for amount:"),
+        (lambda g: g.color("red", "a"), "text for alpha:"),
+        (lambda g: g.color(), "red, green, blue"),
+    ],
+)
+def test_wrong_arguments_are_named(flat, call, message):
+    with pytest.raises(SketchError) as caught:
+        call(flat)
+
+    assert message in str(caught.value)
+
+
+def test_refused_color_mode_changes_nothing(flat):
+    with pytest.raises(SketchError):
+        flat.colorMode(HSB, "a")
+
+    assert flat.color(255, 0, 0) == 0xFFFF0000
