@@ -82,10 +82,10 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         """Begin a frame over the old picture, as Processing does.
 
         It draws straight into the window as long as each frame begins with `background()`. After
-        the first frame without one, or after `noLoop()`, it draws into a buffer of its own, which
-        is rendered the other
-        way up and begins each frame with the averaged old picture; at the change, each pixel has
-        only one of its samples. That shows at edges, and so it is followed here.
+        the first frame without one, or after `noLoop()`, it draws into a buffer of its own. That
+        is rendered the other way up, and begins each frame with the averaged old picture and with
+        the old depth; at the change, each pixel has only one of its samples. It shows at edges,
+        and so it is followed here.
         """
         how = Settling.KEEP
         if self._renderer_name in (JAVA2D, FX2D):

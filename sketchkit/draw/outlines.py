@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from sketchkit.geometry.circles import fan, side_count, unit_circle
 from sketchkit.geometry.polygons import interpolate, tessellate
 from sketchkit.geometry.shapes import SAME
 from sketchkit.geometry.stroke_rings import stroke_rings
-from sketchkit.geometry.strokes import Pieces, Polylines, thin_stroke, wide_stroke
+from sketchkit.geometry.strokes import Pieces, Polylines, round_sides, thin_stroke, wide_stroke
 
 F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
@@ -52,7 +53,7 @@ class Outlines(NamedTuple):
     weights: F32
     is_closed: bool
 
-    def take(self, chosen: Bool) -> Outlines:
+    def take(self, chosen: Bool | I64) -> Outlines:
         """Return some of the polylines."""
         z = self.z if len(self.z) == 1 else self.z[chosen]
         return Outlines(
@@ -159,7 +160,7 @@ def _stroke_fills(rows: Rows, outlines: Outlines, pieces: Pieces, triangles: I64
 
 
 def _add_wide(rows: Rows, outlines: Outlines, out: Expansion) -> None:
-    """Add strokes with caps and joins, for each weight, cap and join."""
+    """Add strokes with caps and joins, for each cap and join, and sides of what is round."""
     states = rows.states[outlines.rows]
     styles = [rows.styles[state] for state in states]
     blends = [rows.stages[state].blend for state in states]
@@ -169,37 +170,34 @@ def _add_wide(rows: Rows, outlines: Outlines, out: Expansion) -> None:
     paints_once = np.array([blend in PAINTS_ONCE for blend in blends], np.bool_)
     is_single = outlines.x.shape[1] == 2
     may_overlap = np.asarray((is_opaque & is_plain & paints_once) | is_single)
-    keys = [
-        (float(weight), style.stroke_cap, style.stroke_join, bool(free))
-        for weight, style, free in zip(outlines.weights[:, 0], styles, may_overlap, strict=True)
-    ]
-    for key in dict.fromkeys(keys):
-        weight, cap, join, is_free = key
-        some = outlines.take(np.array([other == key for other in keys]))
+    sides = round_sides(outlines.weights[:, 0])
+    groups: dict[tuple[int, int, int, bool], list[int]] = defaultdict(list)
+    for i, style in enumerate(styles):
+        is_round = ROUND in (style.stroke_cap, style.stroke_join)
+        own_sides = int(sides[i]) if is_round else 0
+        groups[own_sides, style.stroke_cap, style.stroke_join, bool(may_overlap[i])].append(i)
+    for (_, cap, join, is_free), members in groups.items():
+        some = outlines.take(np.array(members))
         if is_free:
-            _add_overlapping(rows, some, weight, cap, join, out)
+            _add_overlapping(rows, some, cap, join, out)
         else:
-            _add_united(rows, some, weight, cap, join, out)
+            _add_united(rows, some, cap, join, out)
 
 
-def _add_overlapping(
-    rows: Rows, outlines: Outlines, weight: float, cap: int, join: int, out: Expansion
-) -> None:
+def _add_overlapping(rows: Rows, outlines: Outlines, cap: int, join: int, out: Expansion) -> None:
     """Add strokes piece by piece: where the pieces overlap does not show."""
     lines = Polylines(outlines.x, outlines.y, outlines.is_closed)
-    for pieces in wide_stroke(lines, weight, cap, join):
+    for pieces in wide_stroke(lines, outlines.weights[:, :1], cap, join):
         triangles = fan(pieces.x.shape[1], closed=False)
         out.fills.append(_stroke_fills(rows, outlines, pieces, triangles))
 
 
-def _add_united(
-    rows: Rows, outlines: Outlines, weight: float, cap: int, join: int, out: Expansion
-) -> None:
+def _add_united(rows: Rows, outlines: Outlines, cap: int, join: int, out: Expansion) -> None:
     """Add strokes as one outline for each row, so that nothing is painted twice."""
     for row in np.unique(outlines.rows):
         some = outlines.take(outlines.rows == row)
         lines = Polylines(some.x, some.y, some.is_closed)
-        x, y, sources, lengths = stroke_rings(lines, weight, cap, join)
+        x, y, sources, lengths = stroke_rings(lines, some.weights[:, :1], cap, join)
         points = np.stack([x, y, np.zeros_like(x)], axis=1).astype(np.float64)
         found = tessellate(points, lengths)
         if not len(found.triangles):

@@ -14,6 +14,7 @@ from sketchkit.geometry.strokes import (
     Joints,
     Pieces,
     Polylines,
+    Weights,
     cap_fans,
     join_fans,
     joints_of,
@@ -26,7 +27,7 @@ Corner = tuple[float, float, int]  # x, y, and the point that gives the colour
 
 
 def stroke_rings(
-    lines: Polylines, weight: float, cap: int, join: int
+    lines: Polylines, weights: Weights, cap: int, join: int
 ) -> tuple[F32, F32, I64, list[int]]:
     """Return a ring around each line's stroke.
 
@@ -38,10 +39,10 @@ def stroke_rings(
     lengths : list of int
         How many corners each ring has.
     """
-    offsets = offsets_of(lines, weight)
+    offsets = offsets_of(lines, weights)
     joints = joints_of(lines, *offsets)
-    fans = None if joints is None else join_fans(joints, weight, join)
-    caps = [cap_fans(lines, *offsets, weight, cap, at_end=at_end) for at_end in (False, True)]
+    fans = None if joints is None else join_fans(joints, weights, join)
+    caps = [cap_fans(lines, *offsets, weights, cap, at_end=at_end) for at_end in (False, True)]
     count = lines.x.shape[1]
     corners: list[Corner] = []
     lengths = []

@@ -20,11 +20,12 @@ from sketchkit.core.constants import BEVEL, PROJECT, ROUND
 F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 F64 = NDArray[np.float64]
 I64 = NDArray[np.int64]
+Weights = float | F32  # of all lines, or of each, (n, 1); pixels
 
 MITER_LIMIT = 10.0  # a longer tip (in half weights, from the joint) is cut off
 SMOOTH_JOINT = 10000 / 65536  # px between the corners of a joint: under it a round join is flat
 LONGEST_OVERHANG = 0.75  # px by which a thin line is longer at each end
-MOST_ROUND_SIDES = 400
+FEWEST_ROUND_SIDES, MOST_ROUND_SIDES = 3, 400
 
 
 class Polylines(NamedTuple):
@@ -111,20 +112,28 @@ def _pieces(x: Sequence[F32], y: Sequence[F32], points: Sequence[I64], line_coun
     )
 
 
-def offsets_of(lines: Polylines, weight: float) -> tuple[F32, F32]:
+def round_sides(weights: Weights) -> I64:
+    """Return of how many sides the polygon is that round joins and caps are parts of."""
+    sides = np.float32(3.14159) * np.asarray(weights, np.float32)
+    whole: I64 = np.clip(sides, FEWEST_ROUND_SIDES, MOST_ROUND_SIDES).astype(np.int64)
+    return whole
+
+
+def offsets_of(lines: Polylines, weights: Weights) -> tuple[F32, F32]:
     """Return half the weight across each segment, (n, s): its direction turned by a right angle."""
     ux, uy, _ = _directions(lines)
-    half = np.float32(weight / 2)
+    half = np.asarray(weights, np.float32) / 2
     return uy * half, -ux * half
 
 
-def wide_stroke(lines: Polylines, weight: float, cap: int, join: int) -> list[Pieces]:
+def wide_stroke(lines: Polylines, weights: Weights, cap: int, join: int) -> list[Pieces]:
     """Return the pieces of a stroke with caps and joins: quads first, then fans.
 
-    A fan's corners are its centre and its rim.
+    A fan's corners are its centre and its rim. Where joins or caps are round, all weights must
+    have the same `round_sides`.
     """
     (x0, y0), (x1, y1) = lines.ends()
-    mx, my = offsets_of(lines, weight)
+    mx, my = offsets_of(lines, weights)
     begin, end = _segment_points(lines)
     count = len(lines.x)
     quads = [
@@ -135,9 +144,11 @@ def wide_stroke(lines: Polylines, weight: float, cap: int, join: int) -> list[Pi
             [x0, x1, x1 - mx, x0 - mx], [y0, y1, y1 - my, y0 - my], [begin, end, end, begin], count
         ),
     ]
-    fans = [] if (joints := joints_of(lines, mx, my)) is None else [join_fans(joints, weight, join)]
+    fans = (
+        [] if (joints := joints_of(lines, mx, my)) is None else [join_fans(joints, weights, join)]
+    )
     if not lines.is_closed and cap in (ROUND, PROJECT):
-        fans += [cap_fans(lines, mx, my, weight, cap, at_end=end) for end in (False, True)]
+        fans += [cap_fans(lines, mx, my, weights, cap, at_end=end) for end in (False, True)]
     return quads + fans
 
 
@@ -185,26 +196,26 @@ def joints_of(lines: Polylines, mx: F32, my: F32) -> Joints | None:
     )
 
 
-def join_fans(joints: Joints, weight: float, join: int) -> Pieces:
+def join_fans(joints: Joints, weights: Weights, join: int) -> Pieces:
     """Return a fan around each joint."""
     cx, cy, ax, ay, bx, by, _, points, line_count = joints
     rim_x, rim_y = [ax, bx], [ay, by]
     if join == ROUND:
-        arc_x, arc_y = _round_rim(joints, weight, _bend(joints))
+        arc_x, arc_y = _round_rim(joints, weights, _bend(joints))
         rim_x, rim_y = [ax, *arc_x, bx], [ay, *arc_y, by]
     elif join != BEVEL:
-        tip_x, tip_y = _miter_tip(joints, weight)
+        tip_x, tip_y = _miter_tip(joints, weights)
         rim_x, rim_y = [ax, tip_x, bx], [ay, tip_y, by]
     return _pieces([cx, *rim_x], [cy, *rim_y], [points] * (len(rim_x) + 1), line_count)
 
 
-def _miter_tip(joints: Joints, weight: float) -> tuple[F32, F32]:
+def _miter_tip(joints: Joints, weights: Weights) -> tuple[F32, F32]:
     """Return where the outer edges meet; the second corner where the tip would be too long."""
     cx, cy, ax, ay, bx, by, *_ = joints
     # The tip lies on the bisector of the two corners a and b, at (a + b) / (1 + cos).
     sx, sy = ax + bx - 2 * cx, ay + by - 2 * cy
     square = sx * sx + sy * sy
-    half = weight / 2
+    half = np.asarray(weights) / 2
     scale = np.divide(2 * half * half, square, out=np.zeros_like(square), where=square > 1e-9)
     tip_x, tip_y = sx * scale, sy * scale
     distance = tip_x * tip_x + tip_y * tip_y
@@ -218,16 +229,17 @@ def _bend(joints: Joints) -> F32:
     return (ax - cx) * (by - cy) - (ay - cy) * (bx - cx)
 
 
-def _round_rim(joints: Joints, weight: float, bend: F32) -> tuple[list[F32], list[F32]]:
+def _round_rim(joints: Joints, weights: Weights, bend: F32) -> tuple[list[F32], list[F32]]:
     """Return the points of a round join between its corners, from a to b, (n, j) each.
 
     They are the corners of a fixed polygon around the joint that lie beyond the line from a to b;
     those that do not are laid on b, where they make no area.
     """
     cx, cy, ax, ay, bx, by = (value[..., None] for value in joints[:6])
-    sides = max(3, min(int(np.float32(3.14159) * np.float32(weight)), MOST_ROUND_SIDES))
+    sides = int(round_sides(weights).max())
+    radius = np.asarray(weights)[..., None] / 2
     angle = np.arange(sides) * (2 * np.pi / sides)
-    pen_x, pen_y = weight / 2 * np.cos(angle), weight / 2 * np.sin(angle)
+    pen_x, pen_y = radius * np.cos(angle), radius * np.sin(angle)
     turn = np.where(bend >= 0, 1, -1)[..., None]
     chord_x, chord_y = bx - ax, by - ay
     beyond = turn * (chord_x * (pen_y - (ay - cy)) - chord_y * (pen_x - (ax - cx))) < 0
@@ -235,13 +247,14 @@ def _round_rim(joints: Joints, weight: float, bend: F32) -> tuple[list[F32], lis
     travelled = (turn * (angle - np.arctan2(ay - cy, ax - cx))) % (2 * np.pi)
     order = np.argsort(travelled, axis=-1, kind="stable")
     beyond = np.take_along_axis(beyond, order, axis=-1)
-    x = np.where(beyond, cx + pen_x[order], bx).astype(np.float32)
-    y = np.where(beyond, cy + pen_y[order], by).astype(np.float32)
+    pen_x, pen_y = (np.broadcast_to(pen, order.shape) for pen in (pen_x, pen_y))
+    x = np.where(beyond, cx + np.take_along_axis(pen_x, order, axis=-1), bx).astype(np.float32)
+    y = np.where(beyond, cy + np.take_along_axis(pen_y, order, axis=-1), by).astype(np.float32)
     return [x[..., i] for i in range(sides)], [y[..., i] for i in range(sides)]
 
 
 def cap_fans(
-    lines: Polylines, mx: F32, my: F32, weight: float, cap: int, *, at_end: bool
+    lines: Polylines, mx: F32, my: F32, weights: Weights, cap: int, *, at_end: bool
 ) -> Pieces:
     """Return a fan around one end of each line."""
     column = slice(-1, None) if at_end else slice(0, 1)
@@ -251,7 +264,7 @@ def cap_fans(
     point = np.array([lines.x.shape[1] - 1 if at_end else 0])
     ends = Joints(cx, cy, cx + ox, cy + oy, cx - ox, cy - oy, np.ones_like(cx), point, len(cx))
     if cap == ROUND:
-        arc_x, arc_y = _round_rim(ends, weight, np.zeros_like(cx))
+        arc_x, arc_y = _round_rim(ends, weights, np.zeros_like(cx))
         x = [cx, ends.ax, *arc_x, ends.bx]
         y = [cy, ends.ay, *arc_y, ends.by]
         return _pieces(x, y, [point] * len(x), len(cx))
