@@ -9,8 +9,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from time import perf_counter
+
+import moderngl
 
 from benchmarks.workloads import file_of
 from sketchkit.core.clock import VirtualClock
@@ -25,7 +28,7 @@ def main() -> None:
     """Print the time of each frame."""
     workload, samples, seconds, renderer_name = sys.argv[1:]
     backend = open_backend(renderer_name).backend
-    finish = backend.context.finish if renderer_name == "gl" else _nothing
+    finish = partial(_finish, backend.context) if renderer_name == "gl" else _nothing
     launch = Launch(file_of(workload), tell=_complain)
     with opened(launch, Renderer(backend), VirtualClock()) as loop:
         if samples == "1":
@@ -65,6 +68,12 @@ def _time_frames(
         frames += 1
         if age > seconds:
             print("frame", f"{draw.elapsed_s * 1000:.4f}", f"{total_s * 1000:.4f}")
+
+
+def _finish(context: moderngl.Context) -> None:
+    """Wait until OpenGL has drawn everything."""
+    with context:
+        context.finish()
 
 
 def _nothing() -> None:

@@ -1,5 +1,5 @@
 #version 330 core
-// Untextured, lit fills.
+// Lit fills; of a textured one, `color` is the tint. Without a texture, `uv` is not bound.
 uniform mat4 projection;
 uniform float y_sign;
 
@@ -10,9 +10,11 @@ in vec4 ambient;
 in vec4 specular;
 in vec4 emissive;
 in float shininess;
+in vec2 uv;
 
 out vec4 front_color;
 out vec4 back_color;
+out vec2 vert_uv;
 
 #include "lighting.glsl"
 
@@ -22,4 +24,5 @@ void main() {
     Lit lit = light(position, normalize(normal), color, ambient, specular, emissive, shininess);
     front_color = lit.front;
     back_color = lit.back;
+    vert_uv = uv;
 }

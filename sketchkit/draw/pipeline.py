@@ -11,12 +11,12 @@ from sketchkit.draw.resources import Pixels, Target, Wrap
 
 
 class Program(Enum):
-    """The built-in programs; the value is the name of the shader files."""
+    """The built-in programs."""
 
-    FLAT = "color"
-    TEXTURED = "texture"
-    LIT = "light"
-    TEXTURED_LIT = "texlight"
+    FLAT = "flat"
+    TEXTURED = "textured"
+    LIT = "lit"
+    TEXTURED_LIT = "textured and lit"
     LINE = "line"
     POINT = "point"
 

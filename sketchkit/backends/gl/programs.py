@@ -10,6 +10,15 @@ from sketchkit.backends.gl.glsl import source
 from sketchkit.core.lights import MOST_LIGHTS, Light, LightKind
 from sketchkit.draw.pipeline import Pipeline, Program
 
+# The vertex and the fragment shader of each program.
+_FILES: dict[Program, tuple[str, str]] = {
+    Program.FLAT: ("fill", "color"),
+    Program.TEXTURED: ("fill", "texture"),
+    Program.LIT: ("light", "light"),
+    Program.TEXTURED_LIT: ("light", "texlight"),
+    Program.LINE: ("line", "color"),
+    Program.POINT: ("point", "color"),
+}
 _LIT_COLUMNS = ("normal", "ambient", "specular", "emissive", "shininess")
 # What each program reads of a vertex, besides its place and colour.
 COLUMNS: dict[Program, tuple[str, ...]] = {
@@ -32,7 +41,7 @@ class Programs:
     def get(self, program: Program) -> moderngl.Program:
         """Return a program, compiled when it is first used."""
         if program not in self._compiled:
-            self._compiled[program] = compile_pair(self._context, program.value, program.value)
+            self._compiled[program] = compile_pair(self._context, *_FILES[program])
         return self._compiled[program]
 
 

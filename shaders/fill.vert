@@ -1,7 +1,8 @@
 #version 330 core
-// Textured, unlit fills; `color` is the tint.
+// Unlit fills, strokes of P2D among them. Positions are in eye space; of a textured fill, `color`
+// is the tint. Without a texture, `uv` is read by nobody and is not bound.
 uniform mat4 projection;
-uniform float y_sign;
+uniform float y_sign; // -1 turns the picture over: see draw/resources.py, Target
 
 in vec3 position;
 in vec4 color;
