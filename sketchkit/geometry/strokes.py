@@ -245,7 +245,7 @@ def _round_rim(joints: Joints, weights: Weights, bend: F32) -> tuple[list[F32], 
     beyond = turn * (chord_x * (pen_y - (ay - cy)) - chord_y * (pen_x - (ax - cx))) < 0
     beyond &= chord_x**2 + chord_y**2 >= SMOOTH_JOINT**2
     travelled = (turn * (angle - np.arctan2(ay - cy, ax - cx))) % (2 * np.pi)
-    order = np.argsort(travelled, axis=-1, kind="stable")
+    order = np.argsort(np.where(beyond, travelled, np.inf), axis=-1, kind="stable")
     beyond = np.take_along_axis(beyond, order, axis=-1)
     pen_x, pen_y = (np.broadcast_to(pen, order.shape) for pen in (pen_x, pen_y))
     x = np.where(beyond, cx + np.take_along_axis(pen_x, order, axis=-1), bx).astype(np.float32)

@@ -58,7 +58,10 @@ class Source:
     @cached_property
     def tree(self) -> ast.Module:
         """The syntax tree."""
-        return ast.parse(self.data, str(self.path))
+        try:
+            return ast.parse(self.data, str(self.path))
+        except ValueError as problem:  # Python 3.11.2 says so of a file with null bytes
+            raise SyntaxError(str(problem)) from problem
 
     @cached_property
     def lines(self) -> list[str]:

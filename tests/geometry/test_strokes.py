@@ -140,6 +140,16 @@ def test_closed_line_has_a_join_at_every_corner(join, expected):
     assert total_area(square, 4, ROUND, join, is_closed=True) == expected
 
 
+@pytest.mark.parametrize("end", [(0, 20), (0, -20), (20, 0), (-20, 0)])
+def test_rim_of_a_round_cap_goes_round_once_whichever_way_the_line_goes(end):
+    half_disc = 12 * 2 * 2 * math.sin(math.pi / 6) / 4  # of a regular polygon of 12 sides, radius 2
+
+    for cap in wide_stroke(line([(0, 0), end]), 4, ROUND, MITER)[2:]:
+        x, y = cap.x[0, 1:].astype(float), cap.y[0, 1:].astype(float)
+        enclosed = abs((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()) / 2
+        assert enclosed == pytest.approx(half_disc, rel=1e-5)
+
+
 def test_two_lines_of_one_length_are_stroked_at_once():
     x, y = np.array([(0, 9), (5, 5)], np.float32), np.array([(0, 0), (0, 9)], np.float32)
 
