@@ -1,4 +1,4 @@
-"""Expected numbers were measured with the oracle, which lets Python's forms through as well."""
+"""Expected numbers were measured with Processing; other forms are Python's."""
 
 import math
 

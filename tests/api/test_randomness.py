@@ -1,4 +1,4 @@
-"""Expected numbers were measured with Processing (README of the oracle, Numbers)."""
+"""Expected numbers were measured with Processing."""
 
 import pytest
 

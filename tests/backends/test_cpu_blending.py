@@ -1,4 +1,4 @@
-"""The numbers are those of Processing (oracle README, Colour)."""
+"""The numbers are those of Processing."""
 
 from __future__ import annotations
 

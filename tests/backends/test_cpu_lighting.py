@@ -1,4 +1,4 @@
-"""Lit colours; the numbers are those of Processing (oracle README, Lights)."""
+"""Lit colours; the numbers are those of Processing."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from sketchkit.core.clock import RENDER_DATE, Clock, RealClock, VirtualClock
     [(0, 0), (1, 0), (2, 17), (3, 33), (4, 50), (5, 67), (61, 1000)],
 )
 def test_virtual_clock_steps_a_60th_of_a_second_rounded(frame, millis):
-    clock = VirtualClock()  # as measured with the oracle's millis()
+    clock = VirtualClock()  # as measured with Processing
 
     clock.frame = frame
 
