@@ -24,6 +24,7 @@ from sketchkit.draw.stage import Stage
 
 WHITE = 0xFFFFFFFF
 BLACK = 0xFF000000
+BACKDROP = 0xFFCCCCCC  # what a canvas shows before the first background()
 FACING: Vector3 = (0.0, 0.0, 1.0)
 
 
@@ -224,4 +225,4 @@ class CanvasParts:
         return self._stage.is_3d
 
 
-__all__ = ["BLACK", "FACING", "WHITE", "Block", "CanvasParts", "OpenShape", "PackError"]
+__all__ = ["BACKDROP", "BLACK", "FACING", "WHITE", "Block", "CanvasParts", "OpenShape", "PackError"]

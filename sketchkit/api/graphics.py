@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sketchkit.api._parts import BACKDROP
 from sketchkit.api.camera import Camera
 from sketchkit.api.color import Color
 from sketchkit.api.curves import Curves
@@ -18,8 +19,6 @@ from sketchkit.draw.recorder import Kind
 from sketchkit.draw.resources import Target
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import U8
-
-BACKDROP = 0xFFCCCCCC  # what a canvas shows before the first background()
 
 
 class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Camera, Text, Images):

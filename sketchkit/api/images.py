@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from sketchkit.api._parts import WHITE, CanvasParts
+from sketchkit.api._parts import BACKDROP, WHITE, CanvasParts
 from sketchkit.api.color import ColorLike
 from sketchkit.api.pimage import PImage
 from sketchkit.api.vertices import pixels_of
@@ -25,7 +25,6 @@ IMAGE_USAGE = (
 CREATEIMAGE_USAGE = "width, height, format"
 CLIP_USAGE = "x, y, width, height"
 WHOLE = (0.0, 0.0, 1.0, 1.0)
-EMPTY = 0xFFCCCCCC  # what a canvas shows before background()
 Box = tuple[float, float, float, float]
 
 
@@ -257,7 +256,7 @@ class Images(CanvasParts):
                 got=f"{pixels.width} x {pixels.height} for a canvas of {width} x {height}",
                 hint=f"Write img.resize({width}, {height}) after loading it.",
             )
-        self._pack_whole(Kind.CLEAR, EMPTY)
+        self._pack_whole(Kind.CLEAR, BACKDROP)
         saved = self._stage, self._modelview
         flat = ortho(0.0, width, -height, 0.0, -1.0, 1.0)
         self._restage(
