@@ -103,7 +103,6 @@ class CanvasParts:
 
     _renderer: Renderer
     _target: Target
-    _renderer_name: str
     _state: int
     _attributes: int
     _fill: int
@@ -138,7 +137,6 @@ class CanvasParts:
         self._renderer = renderer
         self._recorder = renderer.recorder
         self._target = target
-        self._renderer_name = c.JAVA2D
         self._state = self._attributes = -1
         self._fill, self._stroke, self._tint = WHITE, BLACK, NO_COLOR
         self._weight = 1.0

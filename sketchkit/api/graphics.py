@@ -48,7 +48,6 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         """Give the surface a size and a renderer; what was drawn is lost."""
         self._renderer.flush()
         self._target.resize(width, height, samples)
-        self._renderer_name = renderer_name
         is_3d = renderer_name == P3D
         self._stage = Stage(
             self._target,
@@ -75,10 +74,12 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         self._place_camera(self._default_camera())
         if self._stage.lights is not None:
             self._restage(lights=None)
-        self._settle(is_looping=is_looping)
+        how = self._settling(is_looping=is_looping)
+        self._has_drawn, self._was_cleared = True, False
+        self._pack_whole(Kind.SETTLE, link=list(Settling).index(how))
 
-    def _settle(self, *, is_looping: bool) -> None:
-        """Begin a frame over the old picture, as Processing does.
+    def _settling(self, *, is_looping: bool) -> Settling:
+        """Return what becomes of the old picture as a frame begins, as in Processing.
 
         It draws straight into the window as long as each frame begins with `background()`. After
         the first frame without one, or after `noLoop()`, it draws into a buffer of its own. That
@@ -86,18 +87,16 @@ class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Cam
         the old depth; at the change, each pixel has only one of its samples. It shows at edges,
         and so it is followed here.
         """
-        how = Settling.KEEP
-        if self._renderer_name in (JAVA2D, FX2D):
-            pass  # these draw into one image for ever
-        elif self._is_layered:
-            how = Settling.MEAN
-        elif (self._has_drawn and not self._was_cleared) or not is_looping:
-            self._renderer.flush()
-            self._target.turn_over()
-            self._is_layered = True
-            how = Settling.TURN
-        self._has_drawn, self._was_cleared = True, False
-        self._pack_whole(Kind.SETTLE, link=list(Settling).index(how))
+        if self._stage.is_java2d:
+            return Settling.KEEP  # it draws into one image for ever
+        if self._is_layered:
+            return Settling.MEAN
+        if is_looping and (self._was_cleared or not self._has_drawn):
+            return Settling.KEEP
+        self._renderer.flush()
+        self._target.turn_over()
+        self._is_layered = True
+        return Settling.TURN
 
     def end_frame(self) -> None:
         """Draw everything recorded so far."""

@@ -128,12 +128,6 @@ def parse(text: str) -> int:
     return color
 
 
-def format_hex(color: int) -> str:
-    """Return "#RRGGBB", or "#AARRGGBB" if the colour is not opaque."""
-    color &= 0xFFFFFFFF
-    return f"#{color & 0xFFFFFF:06X}" if color >> 24 == 0xFF else f"#{color:08X}"
-
-
 def red(mode: ColorMode, color: int) -> float:
     """Return the red part, on the mode's first scale."""
     return _part(color >> 16 & 255, mode.max1)

@@ -99,10 +99,6 @@ class _GlfwLoader:
         address = self._glfw.get_proc_address(name)
         return ctypes.cast(address, ctypes.c_void_p).value or 0
 
-    def load(self, name: str) -> int:
-        """Return the address of a function, 0 if there is none."""
-        return self.load_opengl_function(name)
-
     def __enter__(self) -> None:
         self._glfw.make_context_current(self._window)
 
