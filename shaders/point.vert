@@ -1,6 +1,8 @@
 #version 330 core
 // Points of P3D: a fan that faces the viewer.
 uniform mat4 projection;
+uniform mat4 transform;
+uniform float weight_scale;
 uniform float y_sign;
 uniform vec2 viewport;    // pixels
 uniform bool perspective; // whether the weight is a length in eye space
@@ -12,10 +14,10 @@ in vec2 offset; // from the place of the point to this corner
 out vec4 vert_color;
 
 void main() {
-    gl_Position = projection * vec4(position, 1.0);
+    gl_Position = transform * vec4(position, 1.0);
     vec2 per_length = (projection * vec4(1.0, -1.0, 0.0, 0.0)).xy;
     vec2 per_pixel = gl_Position.w / (0.5 * viewport);
-    gl_Position.xy += offset * (perspective ? per_length : per_pixel);
+    gl_Position.xy += offset * weight_scale * (perspective ? per_length : per_pixel);
     gl_Position.y *= y_sign;
     vert_color = color;
 }

@@ -17,6 +17,7 @@ from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.lights import Vector3
 from sketchkit.core.matrix import IDENTITY, Affine
 from sketchkit.core.style import NO_COLOR, SavedStyle, Style, Typography
+from sketchkit.draw.commands import Upload
 from sketchkit.draw.recorder import ROW, Attributes, Kind, PackError, pack_row0
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Pixels, Target
@@ -162,6 +163,10 @@ class CanvasParts:
     def forget_state(self) -> None:
         """Give up indices into the recorder: it has been cleared."""
         self._state = self._attributes = -1
+
+    def take_upload(self) -> Upload | None:
+        """Return the pixels that the sketch has set since they were last taken, if any."""
+        return None
 
     def _note_state(self) -> int:
         """Keep style, stage and matrix as they are now, for the rows that follow."""

@@ -14,14 +14,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.core.lights import Light, LightKind
-from sketchkit.core.matrix import Mat4
-from sketchkit.draw.commands import Clear, Command, Draw, DrawList, Settle
+from sketchkit.core.matrix import Affine, Mat4
+from sketchkit.draw.commands import (
+    Clear,
+    Command,
+    Draw,
+    DrawList,
+    DrawMesh,
+    Settle,
+    Upload,
+)
+from sketchkit.draw.meshes import Mesh, MeshPart
 from sketchkit.draw.pipeline import Clip, Pipeline
-from sketchkit.draw.resources import Pixels, Target, Wrap
+from sketchkit.draw.resources import Target, Texture, Wrap
 from sketchkit.draw.vertex import U8, U32, Layer, Materials, VertexBlock
 
 Numbers = Iterable[float] | NDArray[np.floating]
 
+Resource = Texture | Mesh
 SHORTENED = 12  # vertices, and triangles, of a draw that are written out
 
 
@@ -55,7 +65,7 @@ class ListingBackend:
         """Return a transparent picture."""
         return np.zeros((target.height, target.width, 4), np.uint8)
 
-    def forget(self, resource: Pixels | Target) -> None:
+    def forget(self, resource: Resource) -> None:
         """Do nothing: no copy is kept."""
 
     def close(self) -> None:
@@ -87,10 +97,10 @@ class _Names:
     """Numbers targets, and textures, in the order of their first use."""
 
     def __init__(self) -> None:
-        self._numbers: weakref.WeakKeyDictionary[Target | Pixels, int] = weakref.WeakKeyDictionary()
+        self._numbers: weakref.WeakKeyDictionary[Resource, int] = weakref.WeakKeyDictionary()
         self._counts: Counter[type] = Counter()
 
-    def number(self, resource: Target | Pixels) -> int:
+    def number(self, resource: Resource) -> int:
         """Return the number of a resource, counted from 1."""
         if resource not in self._numbers:
             self._counts[type(resource)] += 1
@@ -111,7 +121,7 @@ class _Writer:
         self._blocks = commands.blocks
         self._names = names
         self._most = most
-        self._described: set[Target | Pixels] = set()
+        self._described: set[Texture] = set()
 
     def lines(self, command: Command) -> Iterator[str]:
         """Yield the lines of one command."""
@@ -121,11 +131,21 @@ class _Writer:
                 yield f"Clear {self._target(target)}: {', '.join(parts)}"
             case Settle(target, how):
                 yield f"Settle {self._target(target)}: {how.value}"
-            case Draw():
-                yield f"Draw {self._target(command.pipeline.target)}: {self._draw(command)}"
-                for light in command.pipeline.lights:
-                    yield f"    light {_light(light)}"
-                yield from self._vertices(command)
+            case Upload(target, data, left, top):
+                height, width = data.shape[:2]
+                yield f"Upload {self._target(target)}: {width} x {height} pixels at {left} {top}"
+            case Draw(pipeline, layer, first, count):
+                about = self._draw(pipeline, layer, count)
+                yield f"Draw {self._target(pipeline.target)}: {about}"
+                yield from _lights(pipeline)
+                yield from self._vertices(self._blocks[layer], first, count)
+            case DrawMesh(pipeline, part, modelview):
+                about = self._draw(pipeline, part.layer, part.count)
+                yield f"DrawMesh {self._target(pipeline.target)}: {self._mesh(part)}, {about}"
+                yield f"    modelview {_affine(modelview)}"
+                yield from _lights(pipeline)
+                block = part.mesh.blocks[part.layer]
+                yield from self._vertices(block, part.first, part.count)
 
     def _target(self, target: Target) -> str:
         samples = "1 sample" if target.samples == 1 else f"{target.samples} samples"
@@ -133,20 +153,26 @@ class _Writer:
         about = f" ({target.width} x {target.height}, {samples}, {top} row first)"
         return f"canvas {self._names.number(target)}{about if self._is_new(target) else ''}"
 
-    def _texture(self, pixels: Pixels, wrap: Wrap) -> str:
+    def _mesh(self, part: MeshPart) -> str:
+        weight = part.weight_scale
+        scaled = "" if weight == 1 else f" weights x {_number(weight)}"
+        return f"mesh {self._names.number(part.mesh)}{scaled}"
+
+    def _texture(self, pixels: Texture, wrap: Wrap) -> str:
+        if isinstance(pixels, Target):
+            return f"picture of {self._target(pixels)} {wrap.name}"
         size = f" ({pixels.width} x {pixels.height})" if self._is_new(pixels) else ""
         return f"texture {self._names.number(pixels)}{size} {wrap.name}"
 
-    def _is_new(self, resource: Target | Pixels) -> bool:
+    def _is_new(self, resource: Texture) -> bool:
         """Return whether a resource is mentioned for the first time in this list."""
         is_new = resource not in self._described
         self._described.add(resource)
         return is_new
 
-    def _draw(self, command: Draw) -> str:
+    def _draw(self, pipeline: Pipeline, layer: Layer, count: int) -> str:
         """Return how something is drawn; what is so by default is left out."""
-        pipeline = command.pipeline
-        what = f"{command.count // 3} triangles of {command.layer.value}"
+        what = f"{count // 3} triangles of {layer.value}"
         parts = [what, pipeline.program.name, pipeline.blend.name, _depth(pipeline)]
         if clip := pipeline.clip:
             parts.append(_clip(clip))
@@ -155,16 +181,15 @@ class _Writer:
         if pipeline.texture is not None:
             parts.append(self._texture(pipeline.texture, pipeline.wrap))
         parts.append(_projection(pipeline.projection))
-        if command.layer is Layer.LINES:
+        if layer is Layer.LINES:
             parts.append(f"pulled {_numbers(pipeline.line_scale)}")
         if pipeline.stroke_perspective:
             parts.append("weights in eye space")
         return ", ".join(parts)
 
-    def _vertices(self, command: Draw) -> Iterator[str]:
+    def _vertices(self, block: VertexBlock, first: int, count: int) -> Iterator[str]:
         """Yield the vertices that a draw reads, and its triangles."""
-        block = self._blocks[command.layer]
-        corners = block.indices[command.first : command.first + command.count]
+        corners = block.indices[first : first + count]
         used = np.unique(corners)
         shown = used[: self._count(len(used))]
         material = ""
@@ -223,6 +248,15 @@ def _projection(p: Mat4) -> str:
     aside = f" aside {_numbers((p[2], p[6]))}" if p[2] or p[6] else ""
     width = _number(abs(p[5] / p[0]))
     return f"perspective {_number(opening)} deg {width}:1 z {_number(near)}..{_number(far)}{aside}"
+
+
+def _affine(m: Affine) -> str:
+    return " | ".join(_numbers(m[row : row + 4]) for row in (0, 4, 8))
+
+
+def _lights(pipeline: Pipeline) -> Iterator[str]:
+    for light in pipeline.lights:
+        yield f"    light {_light(light)}"
 
 
 def _light(light: Light) -> str:

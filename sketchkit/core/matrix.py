@@ -8,7 +8,7 @@ An Affine has 12 numbers, the last row (0, 0, 0, 1) being understood; a Mat4 has
 operation touches only the numbers that it changes: these run at every call of a sketch.
 """
 
-from math import cos, sin, sqrt, tan
+from math import cbrt, cos, sin, sqrt, tan
 from typing import TypeAlias
 
 from sketchkit.core.float32 import f32
@@ -16,6 +16,7 @@ from sketchkit.core.float32 import f32
 Vector: TypeAlias = tuple[float, float, float]
 Affine: TypeAlias = tuple[float, ...]  # 12
 Mat4: TypeAlias = tuple[float, ...]  # 16
+Mat3: TypeAlias = tuple[float, ...]  # 9
 
 IDENTITY: Affine = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 IDENTITY4: Mat4 = (*IDENTITY, 0.0, 0.0, 0.0, 1.0)
@@ -185,6 +186,30 @@ def determinant4(m: Mat4) -> float:
 def transpose4(m: Mat4) -> Mat4:
     """Return `m` with rows and columns exchanged."""
     return m[0::4] + m[1::4] + m[2::4] + m[3::4]
+
+
+def transpose3(m: Mat3) -> Mat3:
+    """Return `m` with rows and columns exchanged."""
+    return m[0::3] + m[1::3] + m[2::3]
+
+
+def normal_matrix(m: Affine) -> Mat3:
+    """Return what takes normals along when `m` takes points: the inverse transposed, 3x3.
+
+    Of what cannot be undone it is the identity: there is no right normal.
+    """
+    undone = inverse(m)
+    if undone is None:
+        return (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+    a, b, c, _, d, e, f, _, g, h, i, _ = undone
+    return a, d, g, b, e, h, c, f, i
+
+
+def volume_scale(m: Affine) -> float:
+    """Return by how much `m` enlarges, as one length: the cube root of its determinant."""
+    a, b, c, _, d, e, f, _, g, h, i, _ = m
+    determinant = a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
+    return cbrt(abs(determinant))
 
 
 def to_mat4(m: Affine) -> Mat4:

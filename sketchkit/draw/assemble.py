@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.draw.commands import Clear, Command, Draw, DrawList, Settle, Settling
+from sketchkit.draw.commands import Clear, Command, Draw, DrawList, DrawMesh, Settle, Settling
 from sketchkit.draw.layers import LayerPieces, PieceOrder, unpack_argb
 from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
 from sketchkit.draw.pipeline import Pipeline, Program
 from sketchkit.draw.recorder import WHOLE, Kind
-from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.resources import Target, Texture
 from sketchkit.draw.rows import Rows
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import Layer
@@ -64,8 +64,16 @@ class Assembler:
         if self.rows.is_lit:
             columns["normals"] = self._normals(fills, x, y, z)
             columns |= self._materials(fills)
+        columns |= self._sources(fills.sources)
         keys = 2 * fills.rows + fills.is_stroke
         self.layers[Layer.FILLS].add(keys, fills.triangles, columns, fills.textures)
+
+    def _sources(self, sources: NDArray[np.int64] | None) -> dict[str, NDArray[np.generic]]:
+        """Return the column that says which corners vertices are, for what is retained."""
+        if not self.rows.is_retained.any():
+            return {}
+        column = np.full((1, 1), -1) if sources is None else sources
+        return {"sources": column.astype(np.int32)}
 
     def _normals(self, fills: Fills, x: F32, y: F32, z: F32) -> F32:
         """Return normals in eye space, (n, k or 1, 3)."""
@@ -135,6 +143,7 @@ class Assembler:
             "colors": unpack_argb(colors),
             "directions": directions.astype(np.float32),
         }
+        columns |= self._sources(None if lines.sources is None else lines.sources[:, here])
         self.layers[Layer.LINES].add(2 * lines.rows, strip.triangles, columns)
 
     def _add_points(self, points: Points) -> None:
@@ -146,6 +155,7 @@ class Assembler:
             "colors": unpack_argb(points.colors[:, None]),
             "offsets": points.offsets,
         }
+        columns |= self._sources(None if points.sources is None else points.sources[:, None])
         self.layers[Layer.POINTS].add(2 * points.rows, points.triangles, columns)
 
     def _draw_list(self) -> DrawList:
@@ -162,13 +172,13 @@ class Assembler:
         return out
 
     def _sections(self) -> list[tuple[int, int]]:
-        """Return ranges of rows: one that concerns the whole target, or rows of one stage."""
+        """Return ranges of rows: one that is drawn by itself, or rows of one stage."""
         stage_ids = np.array([id(stage) for stage in self.rows.stages])[self.rows.states]
-        is_whole = np.isin(self.rows.kinds, WHOLE)
-        begins = np.ones(len(is_whole), np.bool_)
-        begins[1:] = (stage_ids[1:] != stage_ids[:-1]) | is_whole[1:] | is_whole[:-1]
+        is_alone = np.isin(self.rows.kinds, (*WHOLE, Kind.MESH))
+        begins = np.ones(len(is_alone), np.bool_)
+        begins[1:] = (stage_ids[1:] != stage_ids[:-1]) | is_alone[1:] | is_alone[:-1]
         starts = np.flatnonzero(begins).tolist()
-        return list(zip(starts, [*starts[1:], len(is_whole)], strict=True))
+        return list(zip(starts, [*starts[1:], len(is_alone)], strict=True))
 
     def _draw_section(
         self, first: int, last: int, ordered: dict[Layer, PieceOrder], out: DrawList
@@ -185,6 +195,9 @@ class Assembler:
             color = unpack_argb(self.rows.fills[first : first + 1])[0].tolist()
             out.commands.append(Clear(stage.target, tuple(color), stage.depth_write, stage.clip))
             return
+        if self.rows.kinds[first] == Kind.MESH:
+            out.commands.append(self._mesh_draw(first, stage))
+            return
         layers = [layer for layer in Layer if layer in ordered]
         if stage.depth_sort and stage.is_3d:  # sorted fills come last: strokes show through them
             layers = layers[1:] + layers[:1]
@@ -195,8 +208,15 @@ class Assembler:
                 pipeline = _pipeline(stage, layer, texture)
                 _append(out, Draw(pipeline, layer, begin, end - begin))
 
+    def _mesh_draw(self, row: int, stage: Stage) -> DrawMesh:
+        """Return the command for a row that draws a part of a mesh."""
+        part = self.rows.recorder.parts[self.rows.links[row]]
+        state = 12 * int(self.rows.states[row])
+        modelview = tuple(self.rows.recorder.matrices[state : state + 12])
+        return DrawMesh(_pipeline(stage, part.layer, part.texture), part, modelview)
 
-def _pipeline(stage: Stage, layer: Layer, texture: Pixels | None) -> Pipeline:
+
+def _pipeline(stage: Stage, layer: Layer, texture: Texture | None) -> Pipeline:
     """Return how a layer of a stage is drawn."""
     lights = stage.lights if layer is Layer.FILLS else None
     if layer is Layer.LINES:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from sketchkit.draw.commands import DrawList
+from sketchkit.draw.meshes import Mesh
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.vertex import U8
 
@@ -23,7 +24,7 @@ class Backend(Protocol):
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
 
-    def forget(self, resource: Pixels | Target) -> None:
+    def forget(self, resource: Pixels | Target | Mesh) -> None:
         """Let go of the backend's copy of a resource."""
 
     def close(self) -> None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import Enum
 
+from sketchkit.core.matrix import Affine
+from sketchkit.draw.meshes import MeshPart
 from sketchkit.draw.pipeline import Clip, Pipeline
 from sketchkit.draw.resources import Target
-from sketchkit.draw.vertex import Layer, VertexBlock
+from sketchkit.draw.vertex import U8, Layer, VertexBlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +54,30 @@ class Draw:
     count: int
 
 
-Command = Clear | Settle | Draw
+@dataclass(frozen=True, slots=True)
+class DrawMesh:
+    """Draw a part of geometry that stays; `modelview` takes it to eye space."""
+
+    pipeline: Pipeline
+    part: MeshPart
+    modelview: Affine
+
+
+@dataclass(frozen=True, slots=True)
+class Upload:
+    """Replace pixels of a target, alpha included and every sample of them; depth stays.
+
+    `data` is (h, w, 4), straight RGBA, top row first, and lies inside of the target: its top left
+    corner comes to `left`, `top`, counted from the top left of the picture.
+    """
+
+    target: Target
+    data: U8
+    left: int = 0
+    top: int = 0
+
+
+Command = Clear | Settle | Draw | DrawMesh | Upload
 
 
 @dataclass(slots=True)

@@ -107,7 +107,8 @@ def _expand_dots(rows: Rows, corners: Corners, at: I64, out: Expansion) -> None:
     index = firsts[owner] + local
     x, y, z = corners.places[index].T
     owners = at[owner]
-    add_dots(rows, Dots(owners, x, y, z, corners.strokes[index], rows.weights[owners]), out)
+    dots = Dots(owners, x, y, z, corners.strokes[index], rows.weights[owners], index)
+    add_dots(rows, dots, out)
 
 
 def _expand_lines(rows: Rows, corners: Corners, at: I64, kind: int, out: Expansion) -> None:
@@ -139,7 +140,7 @@ def _add_polylines(
     if (weights == weights[:, :1]).all():
         weights = rows.weights[owners][:, None]
     colors = corners.strokes[index]
-    add_outlines(rows, Outlines(owners, x, y, z, colors, weights, is_closed), out)
+    add_outlines(rows, Outlines(owners, x, y, z, colors, weights, is_closed, index), out)
 
 
 def _expand_faces(rows: Rows, corners: Corners, at: I64, kind: int, out: Expansion) -> None:
@@ -208,6 +209,7 @@ def _fills(rows: Rows, corners: Corners, owners: I64, index: I64, triangles: I64
         triangles,
         corners.fills[index],
         attributes=corners.attributes[index],
+        sources=index,
     )
 
 

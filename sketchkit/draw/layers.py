@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.draw.depth_sort import depth_order
-from sketchkit.draw.resources import Pixels
+from sketchkit.draw.resources import Texture
 from sketchkit.draw.rows import project
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import Materials, VertexBlock
@@ -31,7 +31,7 @@ class LayerPieces:
         self.columns: dict[str, list[NDArray[np.generic]]] = {}
         self.indices: list[U32] = []  # (n, 3t) each: the corners of each piece's triangles
         self.keys: list[I64] = []  # (n,) each: where in the order each piece comes
-        self.textures: list[list[Pixels] | None] = []
+        self.textures: list[list[Texture] | None] = []
         self.vertex_count = 0
 
     def add(
@@ -39,7 +39,7 @@ class LayerPieces:
         keys: I64,
         triangles: I64,
         columns: dict[str, NDArray[np.generic]],
-        textures: list[Pixels] | None = None,
+        textures: list[Texture] | None = None,
     ) -> None:
         """Add pieces; a column is (n, k, d), or (n, 1, d) for one value a piece."""
         count, corners = columns["positions"].shape[:2]
@@ -55,7 +55,7 @@ class LayerPieces:
         self.textures.append(textures)
         self.vertex_count += count * corners
 
-    def in_order(self) -> tuple[U32, I64, I64, list[Pixels | None] | None]:
+    def in_order(self) -> tuple[U32, I64, I64, list[Texture | None] | None]:
         """Return indices in drawing order, and of each piece in that order: key, end, texture."""
         keys = np.concatenate(self.keys)
         sizes = np.concatenate([np.full(len(part), part.shape[1]) for part in self.indices])
@@ -72,9 +72,9 @@ class LayerPieces:
                 mine = starts[done : done + len(part)]
                 indices[mine[:, None] + np.arange(part.shape[1])] = part
                 done += len(part)
-        textures: list[Pixels | None] | None = None
+        textures: list[Texture | None] | None = None
         if any(part is not None for part in self.textures):
-            every: list[Pixels | None] = []
+            every: list[Texture | None] = []
             for part_keys, part_textures in zip(self.keys, self.textures, strict=True):
                 every += part_textures or [None] * len(part_keys)
             textures = [every[i] for i in order]
@@ -100,12 +100,12 @@ class LayerPieces:
 class PieceOrder:
     """Pieces of a layer in drawing order: their rows, ends of their indices, and textures."""
 
-    def __init__(self, rows: I64, ends: I64, textures: list[Pixels | None] | None) -> None:
+    def __init__(self, rows: I64, ends: I64, textures: list[Texture | None] | None) -> None:
         self.rows = rows
         self.ends = ends
         self.textures = textures
 
-    def runs(self, first: int, last: int) -> list[tuple[int, int, Pixels | None]]:
+    def runs(self, first: int, last: int) -> list[tuple[int, int, Texture | None]]:
         """Return ranges of indices of the rows first..last-1, split where the texture changes."""
         begin, end = (int(i) for i in np.searchsorted(self.rows, (first, last)))
         if begin == end:

@@ -43,6 +43,8 @@ class Outlines(NamedTuple):
     colors : (n, k) or (n, 1) int64, packed ARGB
     weights : (n, k) or (n, 1) float32
     is_closed : bool
+    sources : (n, k) int64 or None
+        The recorder's corners that the points are.
     """
 
     rows: I64
@@ -52,6 +54,7 @@ class Outlines(NamedTuple):
     colors: I64
     weights: F32
     is_closed: bool
+    sources: I64 | None = None
 
     def take(self, chosen: Bool | I64) -> Outlines:
         """Return some of the polylines."""
@@ -64,6 +67,7 @@ class Outlines(NamedTuple):
             self.colors[chosen],
             self.weights[chosen],
             self.is_closed,
+            None if self.sources is None else self.sources[chosen],
         )
 
 
@@ -96,6 +100,7 @@ def add_outlines(rows: Rows, outlines: Outlines, out: Expansion) -> None:
                     some.weights,
                     some.is_closed,
                     is_joined=bool(kind == 3),
+                    sources=some.sources,
                 )
             )
         elif kind == 1:
@@ -219,7 +224,7 @@ def _add_united(rows: Rows, outlines: Outlines, cap: int, join: int, out: Expans
 
 
 class Dots(NamedTuple):
-    """Points to draw, (n,) each."""
+    """Points to draw, (n,) each; `sources` as of `Outlines`."""
 
     rows: I64
     x: F32
@@ -227,6 +232,11 @@ class Dots(NamedTuple):
     z: F32
     colors: I64
     weights: F32
+    sources: I64 | None = None
+
+    def take(self, chosen: Bool | I64) -> Dots:
+        """Return some of the points."""
+        return Dots(*(None if column is None else column[chosen] for column in self))  # type: ignore[arg-type] # None is the last one's alone
 
 
 def add_dots(rows: Rows, dots: Dots, out: Expansion) -> None:
@@ -237,7 +247,7 @@ def add_dots(rows: Rows, dots: Dots, out: Expansion) -> None:
     solid = rows.is_3d[states]
     for key in dict.fromkeys(zip(sides.tolist(), solid.tolist(), strict=True)):
         mine = (sides == key[0]) & (solid == key[1])
-        some = Dots(*(column[mine] for column in dots))
+        some = dots.take(mine)
         if key[0]:
             cosines, sines = unit_circle(key[0])
             hub = np.zeros(1, np.float32)
@@ -258,7 +268,7 @@ def _add_fans(
         size = (dots.weights * rows.scales[states])[:, None]
         offsets = np.stack([unit[0] * size, unit[1] * size], axis=2)
         out.points.append(
-            Points(dots.rows, dots.x, dots.y, dots.z, dots.colors, offsets, triangles)
+            Points(dots.rows, dots.x, dots.y, dots.z, dots.colors, offsets, triangles, dots.sources)
         )
         return
     size = dots.weights[:, None]

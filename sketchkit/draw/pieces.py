@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.draw.resources import Pixels
+from sketchkit.draw.resources import Texture
 
 F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I32 = NDArray[np.int32]
@@ -35,7 +35,7 @@ class Fills:
     shift : (n, 2) float32 or None, pixels
         By how much each piece is moved after the transform.
     uvs : (n, k, 2) float32 or None
-    textures : list of Pixels, one for each piece, or None
+    textures : list of Texture, one for each piece, or None
     normals : (n or 1, k or 1, 3) float32, object space, or None
         None: from the corners of each piece, in eye space.
     normal_givers : (n, 3) int32 or None
@@ -44,6 +44,8 @@ class Fills:
         Ambient colour where `ambient()` was not called; None: that of `colors`.
     attributes : (n, k) int64 or None
         Entry of the recorder's attributes, for the material; None: the material of the row's style.
+    sources : (n, k) int64 or None
+        The recorder's corners that these are; None: they are none of them.
     """
 
     rows: I64
@@ -56,11 +58,12 @@ class Fills:
     snap: Bool | None = None
     shift: F32 | None = None
     uvs: F32 | None = None
-    textures: list[Pixels] | None = None
+    textures: list[Texture] | None = None
     normals: F32 | None = None
     normal_givers: I32 | None = None
     ambient: I64 | None = None
     attributes: I64 | None = None
+    sources: I64 | None = None
 
 
 @dataclass(slots=True)
@@ -74,6 +77,8 @@ class Lines:
     colors : (n, k) or (n, 1) int64, packed ARGB
     weights : (n, k) or (n, 1) float32, before the scale of the matrix
     is_closed, is_joined : bool
+    sources : (n, k) int64 or None
+        As of `Fills`.
     """
 
     rows: I64
@@ -84,6 +89,7 @@ class Lines:
     weights: F32
     is_closed: bool
     is_joined: bool
+    sources: I64 | None = None
 
 
 @dataclass(slots=True)
@@ -98,6 +104,8 @@ class Points:
     offsets : (n, v, 2) float32, pixels
         From the place to the corners of the fan; the first is its hub.
     triangles : (t, 3) int64
+    sources : (n,) int64 or None
+        As of `Fills`.
     """
 
     rows: I64
@@ -107,6 +115,7 @@ class Points:
     colors: I64
     offsets: F32
     triangles: I64
+    sources: I64 | None = None
 
 
 @dataclass(slots=True)

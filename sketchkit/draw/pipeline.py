@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sketchkit.core.lights import LightRig
 from sketchkit.core.matrix import Mat4
-from sketchkit.draw.resources import Pixels, Target, Wrap
+from sketchkit.draw.resources import Target, Texture, Wrap
 
 
 class Program(Enum):
@@ -54,8 +54,8 @@ class Pipeline(NamedTuple):
         picture. A backend turns it over for a target that is rendered top row first.
     lights : LightRig
         The lights in force, in eye space; read by the lit programs alone.
-    texture : Pixels or None
-        Read by the textured programs alone.
+    texture : Pixels, Target or None
+        Read by the textured programs alone. A target is read as it is when the draw's turn comes.
     line_scale : (x, y, z)
         Eye-space ends of strokes are scaled by it, so that an outline wins over its own fill.
     stroke_perspective : bool
@@ -70,7 +70,7 @@ class Pipeline(NamedTuple):
     depth_write: bool
     clip: Clip | None = None
     lights: LightRig = ()
-    texture: Pixels | None = None
+    texture: Texture | None = None
     wrap: Wrap = Wrap.CLAMP
     line_scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
     stroke_perspective: bool = False

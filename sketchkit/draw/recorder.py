@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from sketchkit.core.matrix import Affine
 from sketchkit.core.style import Material, Style
-from sketchkit.draw.resources import Pixels
+from sketchkit.draw.meshes import MeshPart
+from sketchkit.draw.resources import Texture
 from sketchkit.draw.stage import Stage
 
 # What packing raises: for what is no number, and for one that 32 bits cannot hold.
@@ -40,12 +41,14 @@ class Kind(IntEnum):
     IMAGE = 10
     SHAPE = 11
     SETTLE = 12
+    MESH = 13
 
 
 WHOLE = (Kind.CLEAR, Kind.SETTLE)  # rows that concern all pixels
 
 # kind, state: which entry of the recorder's states; fill, stroke: packed ARGB or NO_COLOR;
-# weight of the stroke; link: an entry of `shapes` or `textures`; numbers: what the call was given.
+# weight of the stroke; link: an entry of `shapes`, `textures` or `parts`; numbers: what the call
+# was given.
 ROW_DTYPE = np.dtype(
     [
         ("kind", "<i4"),
@@ -118,7 +121,7 @@ class ShapeRun(NamedTuple):
     is_closed: bool
     contours: tuple[int, ...]
     first_uv: int | None
-    texture: Pixels | None
+    texture: Texture | None
     has_normals: bool
 
 
@@ -133,8 +136,10 @@ class Recorder:
         The states that rows refer to: entry i of each (12 numbers each of `matrices`).
     attributes : list of Attributes
     shapes : list of ShapeRun
-    textures : list of Pixels
+    textures : list of Texture
         Of images, which have no shape.
+    parts : list of MeshPart
+        Of retained shapes.
     """
 
     __slots__ = (
@@ -142,6 +147,7 @@ class Recorder:
         "corner_end",
         "corners",
         "matrices",
+        "parts",
         "row_end",
         "rows",
         "shapes",
@@ -167,7 +173,8 @@ class Recorder:
         self.matrices: list[float] = []
         self.attributes: list[Attributes] = []
         self.shapes: list[ShapeRun] = []
-        self.textures: list[Pixels] = []
+        self.textures: list[Texture] = []
+        self.parts: list[MeshPart] = []
 
     def keep_state(self, style: Style, stage: Stage, modelview: Affine) -> int:
         """Return the index of a state for the rows that follow."""

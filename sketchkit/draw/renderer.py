@@ -9,8 +9,9 @@ from typing import Protocol
 
 from sketchkit.draw.assemble import Assembler
 from sketchkit.draw.backend import Backend
-from sketchkit.draw.commands import Draw, DrawList
+from sketchkit.draw.commands import Draw, DrawList, DrawMesh, Upload
 from sketchkit.draw.expand import expand
+from sketchkit.draw.meshes import Mesh
 from sketchkit.draw.recorder import Recorder
 from sketchkit.draw.resources import Target
 from sketchkit.draw.rows import Rows
@@ -23,10 +24,26 @@ class RecordsRows(Protocol):
     def forget_state(self) -> None:
         """Give up indices into the recorder: it has been cleared."""
 
+    def take_upload(self) -> Upload | None:
+        """Return the pixels that the sketch has set since they were last taken, if any.
+
+        They come before everything that is recorded: whoever sets pixels flushes what was
+        recorded before them.
+        """
+
 
 @dataclass
 class Stats:
-    """What was drawn: calls of the graphics interface, and vertices sent."""
+    """What was drawn.
+
+    Attributes
+    ----------
+    draw_calls : int
+        Calls of the graphics interface.
+    vertices : int
+        Of what was drawn at once, and of retained shapes that were new or whose vertices have
+        changed: those that were sent.
+    """
 
     draw_calls: int = 0
     vertices: int = 0
@@ -51,6 +68,7 @@ class Renderer:
         self.stats = Stats()
         self.observers: list[Callable[[DrawList], None]] = []
         self._canvases: weakref.WeakSet[RecordsRows] = weakref.WeakSet()
+        self._sent: weakref.WeakKeyDictionary[Mesh, int] = weakref.WeakKeyDictionary()
 
     def register(self, canvas: RecordsRows) -> None:
         """Have a canvas told when the recorder is cleared."""
@@ -58,6 +76,10 @@ class Renderer:
 
     def flush(self) -> None:
         """Draw everything recorded so far."""
+        uploads = [canvas.take_upload() for canvas in self._canvases]
+        pixels = DrawList([upload for upload in uploads if upload is not None])
+        if pixels.commands:
+            self._execute(pixels)
         if not self.recorder.row_end:
             return
         rows = Rows(self.recorder)
@@ -69,11 +91,24 @@ class Renderer:
         self._execute(commands)
 
     def _execute(self, commands: DrawList) -> None:
-        self.stats.draw_calls += sum(isinstance(command, Draw) for command in commands.commands)
+        is_draw = [isinstance(command, Draw | DrawMesh) for command in commands.commands]
+        self.stats.draw_calls += sum(is_draw)
         self.stats.vertices += sum(len(block.positions) for block in commands.blocks.values())
+        for command in commands.commands:
+            if isinstance(command, DrawMesh):
+                self.stats.vertices += self._count_new(command.part.mesh)
         for observer in self.observers:
             observer(commands)
         self.backend.execute(commands)
+
+    def _count_new(self, mesh: Mesh) -> int:
+        """Return how many of a mesh's vertices the backend has not seen yet."""
+        seen = self._sent.get(mesh)
+        self._sent[mesh] = mesh.version
+        edits = None if seen is None else mesh.edits_since(seen)
+        if edits is None:
+            return mesh.vertex_count
+        return sum(edit.last - edit.first for edit in edits)
 
     def read(self, target: Target) -> U8:
         """Return what was drawn on a target so far, (h, w, 4) RGBA, top row first."""

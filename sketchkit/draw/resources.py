@@ -81,3 +81,7 @@ class Target:
         if (width, height, samples) != (self.width, self.height, self.samples):
             self.width, self.height, self.samples = width, height, samples
             self.version += 1
+
+
+# What a shape can be covered with: an image, or the picture of another canvas.
+Texture = Pixels | Target

@@ -76,10 +76,27 @@ class Rows:
         return self.of_states(lambda state: self.stages[state].is_java2d, np.bool_)
 
     @cached_property
+    def is_retained(self) -> Bool:
+        """Whether each state belongs to a shape that stays in its own coordinates, (s,)."""
+        return self.of_states(lambda state: self.stages[state].sighting is not None, np.bool_)
+
+    @cached_property
     def can_snap(self) -> Bool:
-        """Whether each state moves aligned shapes to whole pixels, (s,): P2D without rotation."""
+        """Whether each state moves aligned shapes to whole pixels, (s,): P2D without rotation.
+
+        What is retained has no pixels yet.
+        """
         turned: Bool = np.abs(self.matrices[:, [1, 4]]).max(axis=1, initial=0) >= ALMOST_ZERO
-        return ~self.is_3d & ~turned & ~self.is_java2d
+        return ~self.is_3d & ~turned & ~self.is_java2d & ~self.is_retained
+
+    @cached_property
+    def _sightings(self) -> F32:
+        """Return the matrices under which sizes on the screen are measured, (s, 12)."""
+        if not self.is_retained.any():
+            return self.matrices
+        pairs = zip(self.stages, self.matrices, strict=True)
+        rows = [own if stage.sighting is None else stage.sighting for stage, own in pairs]
+        return np.array(rows, np.float32)
 
     @cached_property
     def normals(self) -> F32:
@@ -103,11 +120,15 @@ class Rows:
 
         The sums run in Processing's order and in single precision, so that they round alike.
         """
+        return self._through(self.matrices, at, x, y, z)
+
+    def _through(self, matrices: F32, at: I64, x: F32, y: F32, z: F32) -> tuple[F32, F32, F32]:
+        """Return coordinates after one of the matrices, (s, 12), of each row's state."""
         states = self.states[at]
         if len(states) and (states == states[0]).all():
-            m = self.matrices[states[0]]
+            m = matrices[states[0]]
         else:
-            m = self.matrices[states].T[..., None]
+            m = matrices[states].T[..., None]
         return (
             x * m[0] + y * m[1] + z * m[2] + m[3],
             x * m[4] + y * m[5] + z * m[6] + m[7],
@@ -116,7 +137,8 @@ class Rows:
 
     def on_screen(self, at: I64, x: F32, y: F32) -> tuple[F32, F32]:
         """Return pixels on the canvas of points with z = 0 of the rows `at`, (n,) each."""
-        ex, ey, ez = (value[:, 0] for value in self.transform(at, x[:, None], y[:, None], ZERO))
+        seen = self._through(self._sightings, at, x[:, None], y[:, None], ZERO)
+        ex, ey, ez = (value[:, 0] for value in seen)
         if not self.is_3d[self.states[at]].any():
             return ex, ey
         sx, sy = ex.copy(), ey.copy()

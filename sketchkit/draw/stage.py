@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sketchkit.core.lights import LightRig
-from sketchkit.core.matrix import IDENTITY4, Mat4
+from sketchkit.core.matrix import IDENTITY4, Affine, Mat4
 from sketchkit.draw.pipeline import Blend, Clip
 from sketchkit.draw.resources import Target, Wrap
 
@@ -26,6 +26,9 @@ class Stage:
         whole pixels, and corners of images are cut off to whole numbers.
     lights : LightRig or None
         None is unlit; an empty rig is lit by nothing.
+    sighting : Affine or None
+        For what is retained, the modelview under which it is first seen: how large round things
+        are on the screen decides their number of sides. None for what is drawn at once.
     """
 
     target: Target
@@ -41,3 +44,4 @@ class Stage:
     lights: LightRig | None = None
     wrap: Wrap = Wrap.CLAMP
     stroke_perspective: bool = False
+    sighting: Affine | None = None

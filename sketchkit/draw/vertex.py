@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 F32 = NDArray[np.float32]
 U8 = NDArray[np.uint8]
 U32 = NDArray[np.uint32]
+I32 = NDArray[np.int32]
 
 
 class Layer(Enum):
@@ -65,6 +66,9 @@ class VertexBlock:
         of the side. All zero at the middle of a join.
     offsets : (n, 2) float32 or None
         POINTS only: from the centre, in pixels (eye-space units with stroke perspective).
+    sources : (n,) int32 or None
+        Of what is retained: the corner of the recorder that each vertex shows, or -1. No renderer
+        reads it; it leads an edit of the shape to its vertices.
     """
 
     positions: F32
@@ -75,3 +79,4 @@ class VertexBlock:
     materials: Materials | None = None
     directions: F32 | None = None
     offsets: F32 | None = None
+    sources: I32 | None = None

@@ -20,9 +20,11 @@ from sketchkit.backends.cpu.raster import rasterize
 from sketchkit.backends.cpu.shading import Shading
 from sketchkit.backends.cpu.textures import Texture
 from sketchkit.backends.cpu.triangles import set_up
-from sketchkit.backends.cpu.vertices import TEXTURED, assemble
+from sketchkit.backends.cpu.vertices import TEXTURED, Range, assemble
 from sketchkit.backends.cpu.visibility import draw_visible
-from sketchkit.draw.commands import Clear, Draw, DrawList, Settle
+from sketchkit.core.matrix import IDENTITY
+from sketchkit.draw.commands import Clear, Draw, DrawList, DrawMesh, Settle, Upload
+from sketchkit.draw.meshes import Mesh
 from sketchkit.draw.pipeline import Blend, Pipeline
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.vertex import U8, VertexBlock
@@ -51,22 +53,30 @@ class CpuBackend:
                     self._frame(target).clear(window_of(target, clip), color, depth=depth)
                 case Settle(target, how):
                     self._frame(target).settle(how)
-                case Draw(layer=layer):
-                    # As on a graphics card: what is divided by 0 is infinite, or no number.
-                    with np.errstate(all="ignore"):
-                        self._draw(command, commands.blocks[layer])
+                case Upload(target, data, left, top):
+                    if not target.top_row_first:
+                        data, top = data[::-1], target.height - top - len(data)
+                    self._frame(target).replace(data, left, top)
+                case Draw(pipeline, layer, first, count):
+                    block = commands.blocks[layer]
+                    self._draw(pipeline, block, Range(first, count, IDENTITY))
+                case DrawMesh(pipeline, part, modelview):
+                    block = part.mesh.blocks[part.layer]
+                    whole = Range(part.first, part.count, modelview, part.weight_scale)
+                    self._draw(pipeline, block, whole)
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
         rows = self._frame(target).picture()
         return rows if target.top_row_first else rows[::-1].copy()
 
-    def forget(self, resource: Pixels | Target) -> None:
+    def forget(self, resource: Pixels | Target | Mesh) -> None:
         """Let go of what is kept for a resource."""
-        if isinstance(resource, Target):
-            self._frames.pop(resource, None)
-        else:
-            self._textures.pop(resource, None)
+        match resource:
+            case Target():
+                self._frames.pop(resource, None)
+            case Pixels():
+                self._textures.pop(resource, None)
 
     def close(self) -> None:
         """Let go of everything."""
@@ -85,16 +95,22 @@ class CpuBackend:
         pixels = pipeline.texture
         if pixels is None or pipeline.program not in TEXTURED:
             return None
+        if isinstance(pixels, Target):  # as it is now
+            return Texture(Pixels(self.read(pixels), mipmaps=False))
         texture = self._textures.get(pixels)
         if texture is None or texture.version != pixels.version:
             texture = self._textures[pixels] = Texture(pixels)
         return texture
 
-    def _draw(self, command: Draw, block: VertexBlock) -> None:
+    def _draw(self, pipeline: Pipeline, block: VertexBlock, drawn: Range) -> None:
         """Take a draw through the stages."""
-        pipeline = command.pipeline
+        # As on a graphics card: what is divided by 0 is infinite, or no number.
+        with np.errstate(all="ignore"):
+            self._rasterize(pipeline, block, drawn)
+
+    def _rasterize(self, pipeline: Pipeline, block: VertexBlock, drawn: Range) -> None:
         frame = self._frame(pipeline.target)
-        triangles = set_up(clip_triangles(assemble(block, command)), frame)
+        triangles = set_up(clip_triangles(assemble(block, pipeline, drawn)), frame)
         window = window_of(pipeline.target, pipeline.clip)
         reached = triangles.within(window.widened())
         if reached.is_empty:

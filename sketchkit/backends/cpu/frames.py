@@ -118,6 +118,11 @@ class Frame:
         if depth and self._depths is not None:
             window.part_of(self._depths)[...] = FARTHEST << 32 | NO_TRIANGLE
 
+    def replace(self, data: U8, left: int, top: int) -> None:
+        """Give every sample of pixels, (h, w, 4) in the frame's rows, another colour."""
+        height, width = data.shape[:2]
+        self.colors[:, top : top + height, left : left + width] = data
+
     def settle(self, how: Settling) -> None:
         """Begin a frame over the old picture."""
         if how is Settling.MEAN:

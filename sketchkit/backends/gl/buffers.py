@@ -1,12 +1,15 @@
-"""Buffers: a list's vertex columns on the GPU, bound to the programs that read them."""
+"""Buffers: vertex columns on the GPU, of a list and of meshes, bound to what reads them."""
 
 from __future__ import annotations
+
+import weakref
 
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.backends.gl.programs import COLUMNS
+from sketchkit.draw.meshes import Edit, Mesh
 from sketchkit.draw.pipeline import Program
 from sketchkit.draw.vertex import Layer, VertexBlock
 
@@ -26,6 +29,9 @@ _FORMATS: dict[str, str] = {
     "direction": "4f4",
     "offset": "2f4",
 }
+
+# An edit names a column as the block does.
+COLUMN_NAMES = {"positions": "position", "colors": "color", "normals": "normal", "uvs": "uv"}
 
 
 def columns_of(block: VertexBlock) -> dict[str, NDArray[np.generic]]:
@@ -66,6 +72,21 @@ class _LayerBuffers:
                 buffer = self._buffers[name]
             buffer.write(np.ascontiguousarray(column))
 
+    def change(self, block: VertexBlock, edit: Edit) -> None:
+        """Write the vertices of one column that an edit names."""
+        name = COLUMN_NAMES[edit.column]
+        column = columns_of(block)[name]
+        per_vertex = column.nbytes // len(column)
+        part = np.ascontiguousarray(column[edit.first : edit.last])
+        self._buffers[name].write(part, offset=edit.first * per_vertex)
+
+    def release(self) -> None:
+        """Let go of everything on the GPU."""
+        for array in self._arrays.values():
+            array.release()
+        for buffer in self._buffers.values():
+            buffer.release()
+
     def _replace(self, name: str, size: int) -> None:
         """Make a buffer anew, and with it whatever was bound to the old one."""
         for array in self._arrays.values():
@@ -90,9 +111,11 @@ class _LayerBuffers:
 
 
 class Buffers:
-    """The vertices of the list that is being drawn."""
+    """The vertices of the list that is being drawn, and of the meshes that were drawn."""
 
     def __init__(self, context: moderngl.Context) -> None:
+        self._context = context
+        self._meshes: weakref.WeakKeyDictionary[Mesh, _MeshBuffers] = weakref.WeakKeyDictionary()
         self._ring = [{layer: _LayerBuffers(context) for layer in Layer} for _ in range(RING)]
         self._turn = 0
 
@@ -107,3 +130,45 @@ class Buffers:
     ) -> moderngl.VertexArray:
         """Return a layer's columns bound to a program."""
         return self._ring[self._turn][layer].array(program, compiled)
+
+    def mesh_array(
+        self, mesh: Mesh, layer: Layer, program: Program, compiled: moderngl.Program
+    ) -> moderngl.VertexArray:
+        """Return the columns of a mesh bound to a program; what has changed is sent first."""
+        held = self._meshes.get(mesh)
+        if held is None:
+            held = self._meshes[mesh] = _MeshBuffers(self._context)
+        held.update(mesh)
+        return held.layers[layer].array(program, compiled)
+
+    def forget(self, mesh: Mesh) -> None:
+        """Release a mesh's buffers."""
+        if held := self._meshes.pop(mesh, None):
+            held.release()
+
+
+class _MeshBuffers:
+    """The buffers of one mesh, as they were at one of its versions."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self._context = context
+        self._version = -1
+        self.layers: dict[Layer, _LayerBuffers] = {}
+
+    def update(self, mesh: Mesh) -> None:
+        """Send what has changed since the last time; at first, everything."""
+        if self._version == mesh.version:
+            return
+        edits = mesh.edits_since(self._version) if self._version >= 0 else None
+        if edits is None:
+            for layer, block in mesh.blocks.items():
+                buffers = self.layers.setdefault(layer, _LayerBuffers(self._context))
+                buffers.upload(block)
+        for edit in edits or ():
+            self.layers[edit.layer].change(mesh.blocks[edit.layer], edit)
+        self._version = mesh.version
+
+    def release(self) -> None:
+        """Let go of everything on the GPU."""
+        for buffers in self.layers.values():
+            buffers.release()

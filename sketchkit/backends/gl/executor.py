@@ -8,11 +8,13 @@ import moderngl
 
 from sketchkit.backends.gl.buffers import Buffers
 from sketchkit.backends.gl.context import headless_context, window_context
-from sketchkit.backends.gl.programs import Programs, compile_pair, set_uniforms
+from sketchkit.backends.gl.programs import Programs, compile_pair, set_modelview, set_uniforms
 from sketchkit.backends.gl.targets import Surfaces
 from sketchkit.backends.gl.textures import Textures
 from sketchkit.backends.gl.turning import FindFunction, Turning
-from sketchkit.draw.commands import Clear, Draw, DrawList, Settle
+from sketchkit.core.matrix import IDENTITY, Affine
+from sketchkit.draw.commands import Clear, Draw, DrawList, DrawMesh, Settle, Upload
+from sketchkit.draw.meshes import Mesh, MeshPart
 from sketchkit.draw.pipeline import Blend, Clip, Pipeline
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.vertex import U8
@@ -40,6 +42,10 @@ _BLEND_RULES: dict[Blend, _BlendRule] = {
     Blend.MULTIPLY: _BlendRule(moderngl.ZERO, moderngl.SRC_COLOR),
     Blend.SCREEN: _BlendRule(moderngl.ONE_MINUS_DST_COLOR, moderngl.ONE),
 }
+
+
+Placing = tuple[Affine, float]
+IN_PLACE: Placing = (IDENTITY, 1.0)
 
 
 class GlBackend:
@@ -103,19 +109,27 @@ class GlBackend:
     def _execute(self, commands: DrawList) -> None:
         self._buffers.upload(commands.blocks)
         bound: Pipeline | None = None
+        placed: Placing | None = None
         for command in commands.commands:
-            if isinstance(command, Draw):
+            if isinstance(command, Draw | DrawMesh):
                 if command.pipeline != bound:
                     self._bind(command.pipeline)
-                    bound = command.pipeline
+                    bound, placed = command.pipeline, None
+                if (placing := _placing(command)) != placed:
+                    program = self._programs.get(bound.program)
+                    set_modelview(program, bound.projection, *placing)
+                    placed = placing
                 self._draw(command)
                 continue
             bound = None
             self._turning.reset()
-            if isinstance(command, Clear):
-                self._clear(command)
-            else:
-                self._settle(command)
+            match command:
+                case Clear():
+                    self._clear(command)
+                case Settle():
+                    self._settle(command)
+                case Upload(target, data, left, top):
+                    self._surfaces.get(target).upload(self.context, target, data, left, top)
         if bound is not None:  # else these would hold for copies too
             self._turning.reset()
             self._surfaces.get(bound.target).framebuffer.scissor = None  # type: ignore[assignment]
@@ -155,15 +169,26 @@ class GlBackend:
         alpha = (moderngl.ONE, moderngl.ZERO if replaces else moderngl.ONE)
         context.blend_equation = rule.equation, moderngl.FUNC_ADD
         context.blend_func = (rule.source, rule.destination, *alpha)  # type: ignore[assignment] # the stubs know pairs alone
-        if pipeline.texture is not None:
-            self._textures.use(pipeline.texture, pipeline.wrap)
+        match pipeline.texture:
+            case Target():
+                picture = self._surfaces.get(pipeline.texture).picture(context, target)
+                self._textures.use_picture(picture, pipeline.wrap)
+                framebuffer.use()
+            case Pixels():
+                self._textures.use(pipeline.texture, pipeline.wrap)
         y_sign = self._turning.turn(top_row_first=target.top_row_first)
         set_uniforms(self._programs.get(pipeline.program), pipeline, y_sign)
 
-    def _draw(self, command: Draw) -> None:
+    def _draw(self, command: Draw | DrawMesh) -> None:
         program = command.pipeline.program
-        array = self._buffers.array(command.layer, program, self._programs.get(program))
-        array.render(moderngl.TRIANGLES, vertices=command.count, first=command.first)
+        compiled = self._programs.get(program)
+        if isinstance(command, Draw):
+            drawn: Draw | MeshPart = command
+            array = self._buffers.array(command.layer, program, compiled)
+        else:
+            drawn = command.part
+            array = self._buffers.mesh_array(drawn.mesh, drawn.layer, program, compiled)
+        array.render(moderngl.TRIANGLES, vertices=drawn.count, first=drawn.first)
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
@@ -186,16 +211,26 @@ class GlBackend:
         self._show.program["y_sign"] = -1.0 if target.top_row_first else 1.0
         self._show.render(moderngl.TRIANGLES, vertices=3)
 
-    def forget(self, resource: Pixels | Target) -> None:
+    def forget(self, resource: Pixels | Target | Mesh) -> None:
         """Let go of the copy of a resource."""
-        if isinstance(resource, Target):
-            self._surfaces.forget(resource)
-        else:
-            self._textures.forget(resource)
+        match resource:
+            case Target():
+                self._surfaces.forget(resource)
+            case Mesh():
+                self._buffers.forget(resource)
+            case Pixels():
+                self._textures.forget(resource)
 
     def close(self) -> None:
         """Let go of the context and everything in it."""
         self.context.release()
+
+
+def _placing(command: Draw | DrawMesh) -> Placing:
+    """Return what takes a command's vertices to eye space, and the scale of its weights."""
+    if isinstance(command, Draw):
+        return IN_PLACE
+    return command.modelview, command.part.weight_scale
 
 
 def _scissor(target: Target, clip: Clip | None) -> tuple[int, int, int, int] | None:

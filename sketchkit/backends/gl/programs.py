@@ -8,7 +8,17 @@ import moderngl
 
 from sketchkit.backends.gl.glsl import source
 from sketchkit.core.lights import MOST_LIGHTS, Light, LightKind
+from sketchkit.core.matrix import (
+    Affine,
+    Mat4,
+    multiply4,
+    normal_matrix,
+    to_mat4,
+    transpose3,
+    transpose4,
+)
 from sketchkit.draw.pipeline import Pipeline, Program
+from sketchkit.draw.resources import Target, Texture
 
 # The vertex and the fragment shader of each program.
 _FILES: dict[Program, tuple[str, str]] = {
@@ -55,10 +65,10 @@ def compile_pair(context: moderngl.Context, vertex: str, fragment: str) -> moder
 def set_uniforms(program: moderngl.Program, pipeline: Pipeline, y_sign: float) -> None:
     """Give a program the values of a pipeline; -1 for `y_sign` turns the picture over."""
     target = pipeline.target
-    p = pipeline.projection
     values: dict[str, object] = {
-        "projection": tuple(p[row * 4 + column] for column in range(4) for row in range(4)),
+        "projection": transpose4(pipeline.projection),  # GLSL has columns where we have rows
         "y_sign": y_sign,
+        "v_range": _v_range(pipeline.texture),
         "viewport": (target.width, target.height),
         "line_scale": pipeline.line_scale,
         "perspective": pipeline.stroke_perspective,
@@ -68,6 +78,29 @@ def set_uniforms(program: moderngl.Program, pipeline: Pipeline, y_sign: float) -
     for name, value in values.items():
         if name in program:
             program[name] = value
+
+
+def set_modelview(
+    program: moderngl.Program, projection: Mat4, modelview: Affine, weight_scale: float
+) -> None:
+    """Give a program the values of one mesh; of what is in eye space already: the identity."""
+    full = to_mat4(modelview)
+    values: dict[str, object] = {
+        "transform": transpose4(multiply4(projection, full)),
+        "modelview": transpose4(full),
+        "normal_matrix": transpose3(normal_matrix(modelview)),
+        "weight_scale": weight_scale,
+    }
+    for name, value in values.items():
+        if name in program:
+            program[name] = value
+
+
+def _v_range(texture: Texture | None) -> tuple[float, float]:
+    """Return where v begins and how far it goes: a target's rows may begin at the bottom."""
+    if isinstance(texture, Target) and not texture.top_row_first:
+        return 1.0, -1.0
+    return 0.0, 1.0
 
 
 def _light_values(lights: Sequence[Light]) -> dict[str, object]:

@@ -18,6 +18,8 @@ class Surface:
     def __init__(self, context: moderngl.Context, target: Target) -> None:
         size = (target.width, target.height)
         self.version = target.version
+        self._target = weakref.ref(target)
+        self._copy: moderngl.Framebuffer | None = None
         self.image = context.texture(size, 4)
         """One sample a pixel: the average, or what is drawn on when there is only one."""
         self.depth = context.depth_renderbuffer(size, samples=_samples(target))
@@ -35,6 +37,35 @@ class Surface:
         if self.framebuffer.samples:
             context.copy_framebuffer(self._averaged, self.framebuffer)
         return self.image
+
+    def picture(self, context: moderngl.Context, drawn_on: Target) -> moderngl.Texture:
+        """Return the picture as a texture for drawing on a target, which may be its own."""
+        image = self.average(context)
+        if drawn_on is not self._target() or self._colors is not None:
+            return image
+        if self._copy is None:  # with one sample, it would be read while it is drawn on
+            self._copy = context.framebuffer([context.texture(image.size, 4)])
+        context.copy_framebuffer(self._copy, self._averaged)
+        copy = self._copy.color_attachments[0]
+        assert isinstance(copy, moderngl.Texture)
+        return copy
+
+    def upload(
+        self, context: moderngl.Context, target: Target, data: U8, left: int, top: int
+    ) -> None:
+        """Replace pixels, (h, w, 4), whose top left corner is given from the top of the picture."""
+        height, width = data.shape[:2]
+        if not target.top_row_first:
+            data, top = data[::-1], target.height - top - height
+        self.average(context)
+        box = (left, top, width, height)
+        self.image.write(np.ascontiguousarray(data), viewport=box)
+        if self._colors is not None:
+            self.framebuffer.scissor = box  # a copy changes nothing outside of it
+            self.framebuffer.use()
+            context.copy_framebuffer(self.framebuffer, self._averaged)
+            self.framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget None
+            self.framebuffer.use()
 
     def settle(
         self, context: moderngl.Context, how: Settling, first_sample: moderngl.VertexArray
@@ -85,6 +116,8 @@ class Surface:
         if self._colors is not None:
             self._colors.release()
             self.framebuffer.release()
+        if self._copy is not None:
+            self._copy.release()
         self._averaged.release()
         self.image.release()
         self.depth.release()

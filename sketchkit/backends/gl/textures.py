@@ -25,6 +25,11 @@ class Textures:
         self._get(pixels).use(location=0)
         self._sampler(wrap, mipmaps=pixels.mipmaps).use(location=0)
 
+    def use_picture(self, picture: moderngl.Texture, wrap: Wrap) -> None:
+        """Bind the picture of a canvas to the first texture unit."""
+        picture.use(location=0)
+        self._sampler(wrap, mipmaps=False).use(location=0)
+
     def _get(self, pixels: Pixels) -> moderngl.Texture:
         texture, version = self._textures.get(pixels, (None, -1))
         size = (pixels.width, pixels.height)
