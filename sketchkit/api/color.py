@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketchkit.api._parts import CanvasParts
+from sketchkit.api._pen import Pen
 from sketchkit.core import color as colors
 from sketchkit.core import constants as c
 from sketchkit.core.color import ColorMode
@@ -15,7 +15,7 @@ RED_USAGE = GREEN_USAGE = BLUE_USAGE = ALPHA_USAGE = "color"
 HUE_USAGE = SATURATION_USAGE = BRIGHTNESS_USAGE = "color"
 
 
-class Color(CanvasParts):
+class Color(Pen):
     """Colours are ints, packed as 0xAARRGGBB; strings such as "#CC6600" and "orange" do as well."""
 
     def colorMode(

@@ -5,12 +5,24 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.api._parts import OpenShape
+from sketchkit.api._pen import OpenShape
 from sketchkit.api.vertices import Vertices
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError
-from sketchkit.draw.recorder import CORNER, CORNER_DTYPE, UV, pack_uv, unpack_place
-from sketchkit.geometry.curves import bezier_points, quadratic_to_cubic, spline_points
+from sketchkit.draw.recorder import (
+    CORNER,
+    CORNER_DTYPE,
+    UV,
+    CurveRun,
+    pack_uv,
+    unpack_place,
+)
+from sketchkit.geometry.curves import (
+    bezier_points,
+    quadratic_to_cubic,
+    spline_points,
+    spline_to_bezier,
+)
 
 
 class CurveVertices(Vertices):
@@ -43,7 +55,7 @@ class CurveVertices(Vertices):
         shape = self._curved("bezierVertex")
         points = self._points("bezierVertex", numbers, 3, "x2, y2, x3, y3, x4, y4")
         start = self._last_place(shape, "bezierVertex")
-        self._add_corners(bezier_points(np.vstack([start, points]), self._bezier_detail))
+        self._add_bezier(np.vstack([start, points]))
 
     def quadraticVertex(self, *numbers: float) -> None:
         """Add a quadratic Bezier curve from the last vertex on.
@@ -64,8 +76,7 @@ class CurveVertices(Vertices):
         shape = self._curved("quadraticVertex")
         control, end = self._points("quadraticVertex", numbers, 2, "cx, cy, x3, y3")
         start = self._last_place(shape, "quadraticVertex")
-        cubic = quadratic_to_cubic(start, control, end)
-        self._add_corners(bezier_points(cubic, self._bezier_detail))
+        self._add_bezier(quadratic_to_cubic(start, control, end))
 
     def curveVertex(self, *numbers: float) -> None:
         """Add a point of a spline; the first and the last only steer it.
@@ -95,7 +106,42 @@ class CurveVertices(Vertices):
             self._add_corners(np.array(shape.spline[1:2]))
         if len(shape.spline) > 3:
             control = np.array(shape.spline[-4:])
-            self._add_corners(spline_points(control, self._curve_detail, self._curve_tightness))
+            tightness = self._curve_tightness
+            self._note_curve(shape, self._curve_detail, spline_to_bezier(control, tightness))
+            self._add_corners(spline_points(control, self._curve_detail, tightness))
+
+    def bezierDetail(self, detail: int) -> None:
+        """Set how many lines a Bezier curve is made of; at first 20.
+
+        Examples
+        --------
+        >>> bezierDetail(4)
+        >>> bezier(20, 80, 20, 10, 80, 90, 80, 20)
+        """
+        self._bezier_detail = self._detail("bezierDetail", detail)
+
+    def curveDetail(self, detail: int) -> None:
+        """Set how many lines a segment of a spline is made of; at first 20.
+
+        Examples
+        --------
+        >>> curveDetail(4)
+        >>> curve(5, 26, 20, 26, 73, 24, 73, 61)
+        """
+        self._curve_detail = self._detail("curveDetail", detail)
+
+    def curveTightness(self, tightness: float) -> None:
+        """Set how tightly splines turn: 0 (at first) is smooth, 1 makes straight lines.
+
+        Examples
+        --------
+        >>> curveTightness(0.5)
+        >>> curve(5, 26, 20, 26, 73, 24, 73, 61)
+        """
+        try:
+            self._curve_tightness = tightness + 0.0
+        except TypeError:
+            self._refuse("curveTightness", (tightness,), "tightness")
 
     def _curved(self, name: str) -> OpenShape:
         shape = self._open(name)
@@ -111,6 +157,16 @@ class CurveVertices(Vertices):
                 f"{caller}() needs a vertex to start from.", hint="Write vertex(x, y) before it."
             )
         return np.array(unpack_place(recorder.corners, recorder.corner_end - CORNER))
+
+    def _add_bezier(self, control: NDArray[np.float64]) -> None:
+        """Add the steps of a curve, (4, 3), after its start."""
+        self._note_curve(self._open("vertex"), self._bezier_detail, control)
+        self._add_corners(bezier_points(control, self._bezier_detail))
+
+    def _note_curve(self, shape: OpenShape, count: int, control: NDArray[np.float64]) -> None:
+        """Remember the curve that the next corners are steps of, for files that have curves."""
+        first = (self._recorder.corner_end - shape.first) // CORNER
+        shape.curves.append(CurveRun(first, count, control))
 
     def _add_corners(self, points: NDArray[np.float64]) -> None:
         """Add many corners, (n, 3), in the current colours."""
@@ -130,3 +186,12 @@ class CurveVertices(Vertices):
                 recorder.make_room()
                 pack_uv(recorder.uvs, recorder.uv_end, 0.0, 0.0)
                 recorder.uv_end += UV
+
+    def _detail(self, name: str, detail: int) -> int:
+        try:
+            steps = int(detail)
+        except (TypeError, ValueError):
+            self._refuse(name, (detail,), "detail")
+        if steps < 1:
+            raise SketchError(f"{name}() takes a whole number above 0.", got=str(detail))
+        return steps

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from sketchkit.api.curve_vertices import CurveVertices
-from sketchkit.core.errors import SketchError
 from sketchkit.geometry import curves
 
 BEZIER_USAGE = "x1, y1, x2, y2, x3, y3, x4, y4"
@@ -68,39 +67,6 @@ class Curves(CurveVertices):
             self.curveVertex(*point)
         self.endShape()
 
-    def bezierDetail(self, detail: int) -> None:
-        """Set how many lines a Bezier curve is made of; at first 20.
-
-        Examples
-        --------
-        >>> bezierDetail(4)
-        >>> bezier(20, 80, 20, 10, 80, 90, 80, 20)
-        """
-        self._bezier_detail = self._detail("bezierDetail", detail)
-
-    def curveDetail(self, detail: int) -> None:
-        """Set how many lines a segment of a spline is made of; at first 20.
-
-        Examples
-        --------
-        >>> curveDetail(4)
-        >>> curve(5, 26, 20, 26, 73, 24, 73, 61)
-        """
-        self._curve_detail = self._detail("curveDetail", detail)
-
-    def curveTightness(self, tightness: float) -> None:
-        """Set how tightly splines turn: 0 (at first) is smooth, 1 makes straight lines.
-
-        Examples
-        --------
-        >>> curveTightness(0.5)
-        >>> curve(5, 26, 20, 26, 73, 24, 73, 61)
-        """
-        try:
-            self._curve_tightness = tightness + 0.0
-        except TypeError:
-            self._refuse("curveTightness", (tightness,), "tightness")
-
     def bezierPoint(self, a: float, b: float, c: float, d: float, t: float) -> float:
         """Return one coordinate of a Bezier curve.
 
@@ -158,12 +124,3 @@ class Curves(CurveVertices):
             return curves.spline_tangent((a, b, c, d), t, self._curve_tightness)
         except (TypeError, ValueError):
             self._refuse("curveTangent", (a, b, c, d, t), COORDINATE_USAGE)
-
-    def _detail(self, name: str, detail: int) -> int:
-        try:
-            steps = int(detail)
-        except (TypeError, ValueError):
-            self._refuse(name, (detail,), "detail")
-        if steps < 1:
-            raise SketchError(f"{name}() takes a whole number above 0.", got=str(detail))
-        return steps

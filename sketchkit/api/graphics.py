@@ -8,6 +8,7 @@ from sketchkit.api.color import Color
 from sketchkit.api.curves import Curves
 from sketchkit.api.images import Images
 from sketchkit.api.lights import Lights
+from sketchkit.api.materials import Materials
 from sketchkit.api.shapes2d import Shapes2D
 from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.stacks import Stacks
@@ -21,7 +22,9 @@ from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import U8
 
 
-class PGraphics(Color, Lights, Stacks, Shapes2D, Curves, Textures, Shapes3D, Camera, Text, Images):
+class PGraphics(
+    Color, Lights, Materials, Stacks, Shapes2D, Curves, Textures, Shapes3D, Camera, Text, Images
+):
     """A surface to draw on; the window's is one of them."""
 
     @property

@@ -16,7 +16,7 @@ from sketchkit.core.float32 import f32
 from sketchkit.core.matrix import IDENTITY, ortho
 from sketchkit.draw.pipeline import Clip
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row8
-from sketchkit.draw.resources import Pixels
+from sketchkit.draw.resources import Texture
 
 IMAGE = Kind.IMAGE.value
 IMAGE_USAGE = (
@@ -31,7 +31,7 @@ Box = tuple[float, float, float, float]
 class Drawable(Protocol):
     """What has an image: a PImage, or a canvas of `createGraphics()`."""
 
-    def _texture(self) -> Pixels:
+    def _texture(self) -> Texture:
         """Return the image as it is now."""
         ...
 
@@ -92,7 +92,7 @@ class Images(CanvasParts):
             sizes = tuple(number for number in (c, d) if number is not None)
             self._refuse("image", (img, a, b, *sizes, *uv), IMAGE_USAGE)
 
-    def _pack_image(self, pixels: Pixels, numbers: tuple[float, ...], tint: int) -> None:
+    def _pack_image(self, pixels: Texture, numbers: tuple[float, ...], tint: int) -> None:
         """Record an image: left, top, right, bottom, and the same within the texture, 0..1."""
         recorder, end = self._recorder, self._recorder.row_end
         state = self._state if self._state >= 0 else self._note_state()
@@ -106,7 +106,7 @@ class Images(CanvasParts):
         recorder.row_end = end + ROW
 
     def _image_edges(
-        self, pixels: Pixels, a: float, b: float, c: float | None, d: float | None
+        self, pixels: Texture, a: float, b: float, c: float | None, d: float | None
     ) -> Box:
         """Return left, top, right and bottom of an image."""
         if c is not None:
@@ -247,7 +247,7 @@ class Images(CanvasParts):
         """
         self._pack_whole(Kind.CLEAR, 0)
 
-    def _background_image(self, pixels: Pixels) -> None:
+    def _background_image(self, pixels: Texture) -> None:
         """Clear, and draw an image without matrix, depth, light and tint; clip and blend hold."""
         width, height = self._target.width, self._target.height
         if (pixels.width, pixels.height) != (width, height):
@@ -331,7 +331,7 @@ def edges(mode: int, a: float, b: float, c: float, d: float) -> Box:
     return left, top, right, bottom
 
 
-def _part(pixels: Pixels, u1: float, v1: float, u2: float, v2: float) -> Box:
+def _part(pixels: Texture, u1: float, v1: float, u2: float, v2: float) -> Box:
     """Return a part of an image, given in whole pixels, as a part of its texture."""
-    height, width, _ = pixels.data.shape
+    width, height = pixels.width, pixels.height
     return int(u1) / width, int(v1) / height, int(u2) / width, int(v2) / height

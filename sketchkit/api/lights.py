@@ -1,11 +1,10 @@
-"""Lights and materials. Lighting is worked out at vertices, as in Processing."""
+"""Lights. Lighting is worked out at vertices, as in Processing."""
 
 from __future__ import annotations
 
 import math
 from typing import NoReturn
 
-from sketchkit.api.color import ColorLike
 from sketchkit.api.style import Styling
 from sketchkit.core import constants as c
 from sketchkit.core import matrix as mat
@@ -21,7 +20,6 @@ AMBIENTLIGHT_USAGE = f"{LIGHTSPECULAR_USAGE} [, x, y, z]"
 POINTLIGHT_USAGE = f"{LIGHTSPECULAR_USAGE}, x, y, z"
 DIRECTIONALLIGHT_USAGE = f"{LIGHTSPECULAR_USAGE}, nx, ny, nz"
 SPOTLIGHT_USAGE = f"{POINTLIGHT_USAGE}, nx, ny, nz, angle, concentration"
-AMBIENT_USAGE = SPECULAR_USAGE = EMISSIVE_USAGE = f"gray | {LIGHTSPECULAR_USAGE}"
 
 
 class Lights(Styling):
@@ -247,55 +245,6 @@ class Lights(Styling):
             self._light_specular = self._light_color(v1, v2, v3)
         except TypeError:
             self._refuse_light("lightSpecular", (v1, v2, v3), LIGHTSPECULAR_USAGE)
-
-    def ambient(self, v1: ColorLike, v2: float | None = None, v3: float | None = None) -> None:
-        """Set the colour that a surface shows in ambient light; until then it is the fill colour.
-
-        Examples
-        --------
-        >>> size(100, 100, P3D)
-        >>> ambientLight(255, 255, 255)
-        >>> ambient(50, 100, 200)
-        >>> translate(50, 50)
-        >>> box(40)
-        """
-        self._material(ambient=self._mix("ambient", v1, v2, v3))
-
-    def specular(self, v1: ColorLike, v2: float | None = None, v3: float | None = None) -> None:
-        """Set the colour of a surface's highlights; it needs `lightSpecular()` to show.
-
-        Examples
-        --------
-        >>> size(100, 100, P3D)
-        >>> specular(255)
-        """
-        self._material(specular=self._mix("specular", v1, v2, v3))
-
-    def emissive(self, v1: ColorLike, v2: float | None = None, v3: float | None = None) -> None:
-        """Set the light that a surface gives by itself; it shows only while there are lights.
-
-        Examples
-        --------
-        >>> size(100, 100, P3D)
-        >>> lights()
-        >>> emissive(0, 80, 0)
-        >>> translate(50, 50)
-        >>> box(40)
-        """
-        self._material(emissive=self._mix("emissive", v1, v2, v3))
-
-    def shininess(self, shine: float) -> None:
-        """Set how small highlights are; at first 1.
-
-        Examples
-        --------
-        >>> size(100, 100, P3D)
-        >>> shininess(20)
-        """
-        try:
-            self._material(shininess=shine + 0.0)
-        except TypeError:
-            self._refuse("shininess", (shine,), "shine")
 
     def _light_color(self, v1: float, v2: float, v3: float) -> Vector3:
         """Return a light's colour, 0..1 each: it is not rounded to bytes, as other colours are."""

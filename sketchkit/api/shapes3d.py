@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketchkit.api._parts import CanvasParts
+from sketchkit.api._pen import Pen
 from sketchkit.core.notices import warn_once
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row1, pack_row3
 
@@ -13,7 +13,7 @@ SPHEREDETAIL_USAGE = "around [, along]"
 FEWEST_AROUND, FEWEST_ALONG = 3, 2
 
 
-class Shapes3D(CanvasParts):
+class Shapes3D(Pen):
     """Solids around the origin of the current matrix, in P3D."""
 
     def box(self, w: float, h: float | None = None, d: float | None = None) -> None:

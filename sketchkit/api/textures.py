@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from sketchkit.api.style import check_choice
+from sketchkit.api.paint import check_choice
 from sketchkit.api.vertices import Vertices, pixels_of
 from sketchkit.core import constants as c
 from sketchkit.draw.recorder import CORNER, UV, pack_uv
-from sketchkit.draw.resources import Wrap
 
 TEXTURE_MODES = {c.IMAGE: "IMAGE", c.NORMAL: "NORMAL"}
-WRAPS = {c.CLAMP: "CLAMP", c.REPEAT: "REPEAT"}
 
 
 class Textures(Vertices):
@@ -72,14 +70,3 @@ class Textures(Vertices):
         """
         check_choice("textureMode", mode, TEXTURE_MODES)
         self._texture_mode = mode
-
-    def textureWrap(self, wrap: int) -> None:
-        """Set what shows beyond a texture's edges: CLAMP (at first) or REPEAT.
-
-        Examples
-        --------
-        >>> textureWrap(REPEAT)
-        """
-        check_choice("textureWrap", wrap, WRAPS)
-        if wrap != self._stage.wrap:
-            self._restage(wrap=Wrap(wrap))

@@ -7,8 +7,8 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.api._parts import FACING, WHITE, Block, CanvasParts, OpenShape
-from sketchkit.api.style import check_choice
+from sketchkit.api._pen import FACING, WHITE, Block, OpenShape, Pen
+from sketchkit.api.paint import check_choice
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, kind_of, shown
 from sketchkit.draw.recorder import (
@@ -22,7 +22,7 @@ from sketchkit.draw.recorder import (
     pack_row0,
     pack_uv,
 )
-from sketchkit.draw.resources import Pixels
+from sketchkit.draw.resources import Pixels, Target, Texture
 
 SHAPE = Kind.SHAPE.value
 KINDS = {
@@ -44,7 +44,7 @@ CLOSE_MODES = {c.CLOSE: "CLOSE"}
 VERTEX_USAGE = "x, y [, z] | x, y, u, v | x, y, z, u, v"
 
 
-class Vertices(CanvasParts):
+class Vertices(Pen):
     """Shapes vertex by vertex. Colours, normals and weights set in between hold from then on."""
 
     def beginShape(self, kind: int = c.POLYGON) -> Block:
@@ -236,6 +236,7 @@ class Vertices(CanvasParts):
                 None if shape.first_uv is None else shape.first_uv // UV,
                 shape.texture,
                 shape.has_normals,
+                tuple(shape.curves),
             )
         )
         fill = self._fill if shape.texture is None else max(self._fill, 0)
@@ -355,7 +356,7 @@ class Vertices(CanvasParts):
             self._refuse(name, numbers, usage)
 
 
-def pixels_of(caller: str, image: object) -> Pixels:
+def pixels_of(caller: str, image: object) -> Texture:
     """Return the pixels that an image has.
 
     Raises
@@ -365,7 +366,7 @@ def pixels_of(caller: str, image: object) -> Pixels:
     """
     pixels = getattr(image, "_texture", None)
     found = pixels() if callable(pixels) else image
-    if not isinstance(found, Pixels):
+    if not isinstance(found, Pixels | Target):
         hint = "loadImage() and createImage() make one."
         if isinstance(image, str):
             hint = f"In setup() write img = loadImage({image!r}), and here img."
