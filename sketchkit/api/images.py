@@ -8,7 +8,7 @@ from sketchkit.api._parts import BACKDROP, WHITE, CanvasParts
 from sketchkit.api.color import ColorLike
 from sketchkit.api.pimage import PImage
 from sketchkit.api.vertices import pixels_of
-from sketchkit.assets.images import EXTENSIONS, load_image
+from sketchkit.assets.images import EXTENSIONS
 from sketchkit.core.color import pack
 from sketchkit.core.constants import CENTER, CORNERS
 from sketchkit.core.errors import SketchError, shown
@@ -17,6 +17,7 @@ from sketchkit.core.matrix import IDENTITY, ortho
 from sketchkit.draw.pipeline import Clip
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row8
 from sketchkit.draw.resources import Texture
+from sketchkit.imaging.blits import Region
 
 IMAGE = Kind.IMAGE.value
 IMAGE_USAGE = (
@@ -113,7 +114,7 @@ class Images(CanvasParts):
             if d is None:
                 raise TypeError("a width without a height")
             return edges(self._image_mode, a, b, c, d)
-        height, width, _ = pixels.data.shape
+        width, height = pixels.width, pixels.height
         if self._image_mode == CENTER:  # by whole pixels
             a, b = a - (width >> 1), b - (height >> 1)
         return a, b, a + width, b + height
@@ -124,7 +125,8 @@ class Images(CanvasParts):
         Parameters
         ----------
         filename : str
-            PNG, JPEG, GIF, BMP, TGA, TIFF or WebP; looked for in the sketch's `data` folder, then
+            PNG, JPEG, GIF, BMP, TGA, TIFF or WebP; HDR (and EXR, with the extra `hdr`) for
+            colours as floats, see `np_floats`. Looked for in the sketch's `data` folder, then
             beside the sketch.
         extension : str, optional
             The kind, `"png"`, for a name that does not show it. The file itself decides.
@@ -140,7 +142,7 @@ class Images(CanvasParts):
 
         See Also
         --------
-        image, createImage, PImage
+        image, requestImage, createImage, PImage
 
         Notes
         -----
@@ -158,7 +160,7 @@ class Images(CanvasParts):
                 got=shown(extension),
                 hint=f"Kinds are {', '.join(sorted(EXTENSIONS))}.",
             )
-        return PImage._of(load_image("loadImage", filename).data)
+        return PImage._load("loadImage", filename)
 
     def createImage(self, w: int, h: int, format: int) -> PImage:
         """Make an image, to be filled with `set()` or `pixels`.
@@ -248,7 +250,7 @@ class Images(CanvasParts):
         self._pack_whole(Kind.CLEAR, 0)
 
     def _background_image(self, pixels: Texture) -> None:
-        """Clear, and draw an image without matrix, depth, light and tint; clip and blend hold."""
+        """Clear, and draw an image over all."""
         width, height = self._target.width, self._target.height
         if (pixels.width, pixels.height) != (width, height):
             raise SketchError(
@@ -257,13 +259,18 @@ class Images(CanvasParts):
                 hint=f"Write img.resize({width}, {height}) after loading it.",
             )
         self._pack_whole(Kind.CLEAR, BACKDROP)
+        self._draw_over(pixels, Region(0, 0, width, height))
+
+    def _draw_over(self, pixels: Texture, placed: Region, part: Box = WHOLE) -> None:
+        """Draw an image without matrix, depth, light and tint; clip and blend mode hold."""
         saved = self._stage, self._modelview
+        width, height = self._target.width, self._target.height
         flat = ortho(0.0, width, -height, 0.0, -1.0, 1.0)
         self._restage(
             is_3d=False, projection=flat, depth_test=False, depth_write=False, lights=None
         )
         self._modelview = IDENTITY
-        self._pack_image(pixels, (0, 0, width, height, *WHOLE), WHITE)
+        self._pack_image(pixels, (*placed.edges, *part), WHITE)
         self._stage, self._modelview = saved
         self._state = -1
 

@@ -11,22 +11,7 @@ from numpy.typing import DTypeLike, NDArray
 from sketchkit.core.color import to_packed
 from sketchkit.core.errors import SketchError, shown
 from sketchkit.draw.resources import Pixels
-from sketchkit.draw.vertex import U8
-
-U32 = NDArray[np.uint32]
-
-
-def to_argb(data: U8) -> U32:
-    """Return bytes RGBA, (..., 4), as colours packed 0xAARRGGBB."""
-    red, green, blue, alpha = np.moveaxis(data.astype(np.uint32), -1, 0)
-    packed: U32 = alpha << 24 | red << 16 | green << 8 | blue
-    return packed
-
-
-def to_rgba(colors: U32) -> U8:
-    """Return packed colours as bytes RGBA, one more dimension of 4."""
-    parts = [colors >> 16, colors >> 8, colors, colors >> 24]
-    return np.stack(parts, axis=-1).astype(np.uint8)
+from sketchkit.imaging.packing import U8, U32, to_argb, to_rgba
 
 
 class PixelArray:
@@ -44,9 +29,17 @@ class PixelArray:
     __slots__ = ("_image", "_words")
 
     def __init__(self, image: Pixels) -> None:
+        self.show(image)
+
+    def show(self, image: Pixels) -> None:
+        """Be the window on an image."""
         self._image = image
         # RGBA as it lies in memory is 0xAABBGGRR to the (little-endian) machines that we run on.
         self._words = memoryview(image.data.data).cast("B").cast("I")
+
+    def give_up(self) -> None:
+        """Show nothing any more, until there is an image again."""
+        self._words = memoryview(bytearray())
 
     def __len__(self) -> int:
         return len(self._words)
@@ -103,6 +96,12 @@ class PixelArray:
                 "A place in pixels is a whole number.", got=f"pixels[{shown(place)}]"
             ) from None
         count = len(self)
+        if count == 0:
+            raise SketchError(
+                "There are no pixels yet.",
+                got=f"pixels[{shown(place)}]",
+                hint="Write loadPixels() first.",
+            )
         if -count <= index < count:
             return int(index % count)
         raise SketchError(

@@ -26,6 +26,7 @@ PICTURES: dict[str, tuple[str, dict[str, int]]] = {
     ".gif": ("GIF", {}),
     ".webp": ("WEBP", {}),
 }
+WITHOUT_ALPHA = frozenset({"JPEG", "BMP"})
 
 
 def write_file(path: Path, data: bytes) -> None:
@@ -52,6 +53,8 @@ def picture_bytes(pixels: U8, suffix: str) -> bytes:
         kinds = ", ".join(sorted(PICTURES))
         raise SketchError(f"A picture's file name ends in one of {kinds}.", got=repr(suffix))
     kind, options = PICTURES[suffix.lower()]
+    if kind in WITHOUT_ALPHA:
+        pixels = np.ascontiguousarray(pixels[..., :3])
     file = io.BytesIO()
     Image.fromarray(pixels).save(file, kind, **options)
     return file.getvalue()

@@ -18,21 +18,22 @@ def image():
 
 
 @pytest.mark.parametrize(
-    ("image_format", "empty", "stored"),
+    ("image_format", "empty", "stored", "pixel"),
     [
-        pytest.param(RGB, 0xFF000000, 0xFF102030, id="RGB is opaque"),
-        pytest.param(ARGB, 0, COLOR, id="ARGB keeps alpha"),
-        pytest.param(ALPHA, 0x00FFFFFF, 0x30FFFFFF, id="ALPHA is white, of the lowest byte"),
+        pytest.param(RGB, 0xFF000000, 0xFF102030, 0xFF102030, id="RGB is opaque"),
+        pytest.param(ARGB, 0, COLOR, COLOR, id="ARGB keeps alpha"),
+        pytest.param(ALPHA, 0x00FFFFFF, 0x30FFFFFF, 0x30, id="ALPHA is white, of the lowest byte"),
     ],
 )
-def test_formats(image_format, empty, stored):
+def test_formats(image_format, empty, stored, pixel):
     image = PImage(4, 3, image_format)
 
     image.set(1, 1, COLOR)
 
     assert (image.width, image.height, image.format) == (4, 3, image_format)
     assert image.get(0, 0) == empty
-    assert image.get(1, 1) == image.pixels[5] == stored
+    assert image.get(1, 1) == stored
+    assert image.pixels[5] == pixel
 
 
 @pytest.mark.parametrize("place", [(-1, 0), (0, -1), (4, 0), (0, 3)])
@@ -195,3 +196,73 @@ def test_save_writes_beside_the_sketch(image, tmp_path):
 def test_mistakes_are_told(image, call, message):
     with pytest.raises(SketchError, match=message):
         call(image)
+
+
+def test_an_image_without_alpha_is_drawn_opaque():
+    image = PImage(1, 1, RGB)
+
+    image.pixels[0] = COLOR
+
+    assert image.pixels[0] == COLOR
+    assert image.get(0, 0) == 0xFF102030
+    assert image._texture().data[0, 0].tolist() == [0x10, 0x20, 0x30, 255]
+
+
+def test_a_mask_is_drawn_white():
+    image = PImage(1, 1, ALPHA)
+
+    image.pixels[0] = 77
+
+    assert image._texture().data[0, 0].tolist() == [255, 255, 255, 77]
+
+
+def test_floats_of_bytes_go_from_0_to_1(image):
+    image.set(0, 0, 0xFFFF0033)
+
+    assert image.np_floats[0, 0].tolist() == pytest.approx([1, 0, 0.2])
+
+
+def test_floats_that_are_set_stay_and_show_cut():
+    image = PImage(2, 1)
+
+    image.np_floats = [[[0.5, 3, -1], [1, 0, 0]]]
+
+    assert image.np_floats[0, 0].tolist() == [0.5, 3, -1]
+    assert image.get(0, 0) == 0xFF80FF00
+
+
+def test_a_changed_pixel_ends_the_floats():
+    image = PImage(2, 1)
+    image.np_floats = np.full((1, 2, 3), 3.0)
+
+    image.set(0, 0, 0xFF000000)
+
+    assert image.np_floats.max() == 1
+
+
+def test_floats_are_saved_and_loaded(tmp_path):
+    before = sketch_folder()
+    set_sketch_folder(tmp_path)
+    image = PImage(2, 1)
+    image.np_floats = np.array([[[8, 0.5, 0], [0, 0, 16]]])
+
+    image.save("light.hdr")
+    again = PImage._load("loadImage", "light.hdr")
+
+    set_sketch_folder(before)
+    assert (again.np_floats == image.np_floats).all()
+    assert again.format == RGB
+
+
+def test_pixels_can_be_set_all_at_once(image):
+    image.pixels = [COLOR] * 12
+
+    assert set(image.pixels) == {COLOR}
+
+
+@pytest.mark.parametrize("suffix", ["jpg", "bmp", "tga", "gif", "webp", "tif"])
+def test_transparent_images_are_saved_as_every_kind(image, tmp_path, suffix):
+    image.save(str(tmp_path / f"a.{suffix}"))
+
+    with Image.open(tmp_path / f"a.{suffix}") as picture:
+        assert picture.size == (4, 3)

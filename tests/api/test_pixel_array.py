@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from sketchkit.api.pixel_array import PixelArray, to_argb, to_rgba
+from sketchkit.api.pixel_array import PixelArray
 from sketchkit.core.errors import SketchError
 from sketchkit.draw.resources import Pixels
 
@@ -86,7 +86,21 @@ def test_what_is_no_colour_is_told(image):
         PixelArray(image)[0] = "oragne"
 
 
-def test_packing_and_unpacking_are_inverse():
-    data = np.random.default_rng(0).integers(0, 256, (4, 5, 4), np.uint8)
+def test_a_window_on_nothing_says_what_to_write(image):
+    pixels = PixelArray(image)
+    pixels.give_up()
 
-    assert (to_rgba(to_argb(data)) == data).all()
+    with pytest.raises(SketchError, match="There are no pixels yet") as caught:
+        pixels[0]
+
+    assert caught.value.hint == "Write loadPixels() first."
+    assert len(pixels) == 0
+
+
+def test_a_window_can_move_to_another_image(image):
+    pixels = PixelArray(image)
+    other = Pixels(np.full((1, 2, 4), 255, np.uint8))
+
+    pixels.show(other)
+
+    assert list(pixels) == [0xFFFFFFFF] * 2

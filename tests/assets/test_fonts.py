@@ -1,12 +1,21 @@
 import numpy as np
 import pytest
 
-from sketchkit.assets.fonts import LARGEST, Fonts, design_size, find_face, fonts_of
-from sketchkit.core.errors import SketchError
+from sketchkit.assets.fonts import (
+    LARGEST,
+    MOST_FACES,
+    MOST_IMAGES,
+    Fonts,
+    Setting,
+    design_size,
+    enlarged_size,
+    fonts_of,
+)
+from sketchkit.core.style import Typeface
 
 
 def default(made_at, size=None):
-    return Fonts().face("", made_at, made_at if size is None else size)
+    return Fonts().face(Typeface(), made_at, made_at if size is None else size)
 
 
 @pytest.mark.parametrize(
@@ -34,21 +43,6 @@ def test_ascent_and_descent_scale_with_the_size():
 
     assert face.ascent == 48
     assert face.descent == pytest.approx(10.6667, abs=1e-4)
-
-
-@pytest.mark.parametrize("character", ["\t", "\r", "\n", "\u2028"])
-def test_control_characters_take_no_room_and_show_nothing(character):
-    line = default(12).line(character)
-
-    assert line.width == 0
-    assert line.quads == ()
-
-
-def test_a_space_takes_room_and_shows_nothing():
-    line = default(12).line(" ")
-
-    assert line.width == 2
-    assert line.quads == ()
 
 
 def test_a_letter_is_where_and_what_processing_draws():
@@ -92,7 +86,10 @@ def test_a_line_follows_the_pen():
 def test_letters_of_one_design_share_an_image():
     fonts = Fonts()
 
-    quads = [*fonts.face("", 12, 12).line("abc").quads, *fonts.face("", 12, 30).line("xyz").quads]
+    quads = [
+        *fonts.face(Typeface(), 12, 12).line("abc").quads,
+        *fonts.face(Typeface(), 12, 30).line("xyz").quads,
+    ]
 
     assert len({id(quad.pixels) for quad in quads}) == 1
 
@@ -127,9 +124,76 @@ def test_design_sizes_are_whole(size, expected):
     assert design_size(size) == expected
 
 
-def test_what_is_no_font_is_told(tmp_path):
-    path = tmp_path / "letters.ttf"
-    path.write_text("abc")
+def test_a_letter_of_two_units_takes_the_room_of_two():
+    first, second = default(20).line("x\U0001f600x").quads
 
-    with pytest.raises(SketchError, match=r"letters\.ttf cannot be read"):
-        find_face("createFont", str(path))
+    assert second.left - first.left == default(20).width("x") + 2 * 13
+
+
+def test_letters_that_a_transform_enlarges_are_drawn_anew_where_it_shows():
+    assert [enlarged_size(12, times) for times in (0.1, 1, 1.49, 1.5, 2, 3, 4)] == [
+        *(12, 12, 12, 17, 24, 34, 48),
+    ]
+    assert enlarged_size(12, 1e9) == LARGEST
+
+
+def test_letters_drawn_anew_lie_where_the_enlarged_ones_do():
+    (small,) = default(12).line("d").quads
+    (large,) = Fonts().set(Setting(Typeface(), 12, 12, 48)).line("d").quads
+
+    assert large.top == pytest.approx(small.top, abs=0.5)
+    assert large.height == pytest.approx(small.height, abs=0.5)
+    assert (large.v2 - large.v1) * large.pixels.height == 34  # its ascent at 48
+
+
+def test_without_hints_letters_begin_at_whole_pixels():
+    face = Fonts().set(Setting(Typeface(), 20, 20, 20, is_hinted=False))
+
+    assert face.width("aa") == pytest.approx(2 * 10.08, abs=1e-3)
+    assert all(quad.left == int(quad.left) for quad in face.line("aaaa").quads)
+
+
+@pytest.mark.parametrize("size", [13, 21, 23])
+def test_without_hints_letters_end_at_whole_pixels(size):
+    face = Fonts().set(Setting(Typeface(), size, size, size, is_hinted=False))
+
+    for quad in face.line("amp").quads:
+        assert all(number == int(number) for number in quad[1:5])
+
+
+def test_kerning_brings_letters_together():
+    plain = Fonts().set(Setting(Typeface(), 20, 40, 40, is_hinted=False))
+    kerned = Fonts().set(Setting(Typeface(), 20, 40, 40, is_hinted=False, is_kerned=True))
+
+    assert kerned.width("ToTo") < plain.width("ToTo") - 5
+    assert kerned.line("ToTo").quads[1].left < plain.line("ToTo").quads[1].left
+
+
+def test_without_hints_accents_join_their_letters():
+    face = Fonts().set(Setting(Typeface(), 20, 20, 20, is_hinted=False))
+
+    assert len(face.line("a\u0301").quads) == 1
+    assert len(default(20).line("a\u0301").quads) == 2
+
+
+def test_letters_of_all_other_sizes_share_an_image():
+    fonts = Fonts()
+
+    quads = [
+        quad
+        for size in (17, 24, 34, 48)
+        for quad in fonts.set(Setting(Typeface(), 12, 12, size)).line("abc").quads
+    ]
+
+    assert len({id(quad.pixels) for quad in quads}) == 1
+
+
+def test_text_that_grows_for_ever_does_not_fill_the_memory():
+    fonts = Fonts()
+
+    for i in range(600):
+        size = 30 + i / 7
+        fonts.set(Setting(Typeface(), 30, size, size, is_hinted=False)).line("large letters")
+
+    assert fonts._shared.image_count <= MOST_IMAGES + 1
+    assert len(fonts._faces) <= MOST_FACES + 1

@@ -1,13 +1,15 @@
 """Images at another size, to the pixel as Processing makes them.
 
-Processing leaves it to Java: bilinear, with colours premultiplied by alpha and weights of 8 bits,
-and never shrinking to less than half in one go.
+`resize()` is left to Java there: bilinear, with colours premultiplied by alpha and weights of 8
+bits, and never shrinking to less than half in one go.
 """
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+
+from sketchkit.imaging.blits import Region
 
 U8 = NDArray[np.uint8]
 I32 = NDArray[np.int32]
@@ -23,6 +25,19 @@ def resized(data: U8, width: int, height: int) -> U8:
         data = _scaled(data, columns, rows, is_opaque=is_opaque)
         if (columns, rows) == (width, height):
             return data
+
+
+def nearest(data: U8, taken: Region, width: int, height: int) -> U8:
+    """Return a part of an image at another size, each pixel the one that its centre falls on.
+
+    Outside of the image, its edge goes on.
+    """
+    columns = taken.x + (np.arange(width) + 0.5) * (taken.width / width)
+    rows = taken.y + (np.arange(height) + 0.5) * (taken.height / height)
+    column = np.clip(np.floor(columns).astype(int), 0, data.shape[1] - 1)
+    row = np.clip(np.floor(rows).astype(int), 0, data.shape[0] - 1)
+    found: U8 = data[row[:, None], column]
+    return found
 
 
 def _next(size: int, wanted: int) -> int:
