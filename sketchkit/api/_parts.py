@@ -5,7 +5,12 @@ The groups of methods (`shapes2d.py`, `transforms.py`, ...) add methods to them,
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+import numpy as np
+
 from sketchkit.api._pen import BLACK, FACING, WHITE, Block, OpenShape, Pen
+from sketchkit.api.pixel_array import PixelArray
 from sketchkit.core import constants as c
 from sketchkit.core.lights import Vector3
 from sketchkit.core.matrix import IDENTITY, Affine
@@ -13,10 +18,11 @@ from sketchkit.core.style import NO_COLOR, SavedStyle, Typography
 from sketchkit.draw.commands import Upload
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row0
 from sketchkit.draw.renderer import Renderer
-from sketchkit.draw.resources import Target
+from sketchkit.draw.resources import Pixels, Target
 from sketchkit.draw.stage import Stage
 
-BACKDROP = 0xFFCCCCCC  # what a canvas shows before the first background()
+BACKDROP = 0xFFCCCCCC  # what a window shows before the first background()
+TRANSPARENT = 0  # what a canvas out of sight shows
 
 
 class CanvasParts(Pen):
@@ -26,13 +32,21 @@ class CanvasParts(Pen):
     ----------
     _camera : Affine
         The modelview with which a frame or `beginCamera()` begins.
+    _own : Pixels
+        A copy of what was drawn, always the same array as long as the size stays.
+    _pixels : PixelArray
+        A window on it; on nothing before it was read.
+    _is_read, _is_set : bool
+        Whether the copy is up to date, and whether it has changes that are still to be sent.
+    _copied : Pixels or None
+        What `copy()` has copied from this canvas to itself.
     """
 
     _renderer: Renderer
     _target: Target
     _camera: Affine
     _eye_distance: float
-    _matrices: list[Affine]
+    _matrices: list[tuple[Affine, Affine]]
     _styles: list[SavedStyle]
     _image_mode: int
     _shape_mode: int
@@ -43,6 +57,14 @@ class CanvasParts(Pen):
     _has_drawn: bool
     _was_cleared: bool
     _is_layered: bool
+    _is_offscreen: bool
+    _is_drawing: bool
+    _when_drawn: list[Callable[[], None]]
+    _own: Pixels
+    _pixels: PixelArray
+    _is_read: bool
+    _is_set: bool
+    _copied: Pixels | None
 
     def __init__(self, renderer: Renderer, target: Target) -> None:
         super().__init__(renderer.recorder, Stage(target))
@@ -57,6 +79,12 @@ class CanvasParts(Pen):
         self._typography = Typography()
         self._light_falloff, self._light_specular = (1.0, 0.0, 0.0), (0.0, 0.0, 0.0)
         self._has_drawn = self._was_cleared = self._is_layered = False
+        self._is_offscreen = self._is_drawing = False
+        self._when_drawn = []
+        self._own = blank_pixels(target)
+        self._pixels = PixelArray(self._own)
+        self._is_read = self._is_set = False
+        self._copied = None
         renderer.register(self)
 
     def forget_state(self) -> None:
@@ -79,6 +107,11 @@ class CanvasParts(Pen):
     @property
     def _is_3d(self) -> bool:
         return self._stage.is_3d
+
+
+def blank_pixels(target: Target) -> Pixels:
+    """Return room for a copy of what is on a target."""
+    return Pixels(np.zeros((target.height, target.width, 4), np.uint8))
 
 
 __all__ = ["BACKDROP", "BLACK", "FACING", "WHITE", "Block", "CanvasParts", "OpenShape", "PackError"]

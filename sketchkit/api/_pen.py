@@ -17,7 +17,7 @@ from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.lights import Vector3
 from sketchkit.core.matrix import IDENTITY, Affine
 from sketchkit.core.style import NO_COLOR, Style
-from sketchkit.draw.recorder import Attributes, PackError, Recorder
+from sketchkit.draw.recorder import Attributes, CurveRun, PackError, Recorder
 from sketchkit.draw.resources import Texture
 from sketchkit.draw.stage import Stage
 

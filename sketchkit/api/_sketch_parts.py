@@ -6,14 +6,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
 from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.host import Host
 from sketchkit.core.clock import Clock
 from sketchkit.core.constants import JAVA2D
+from sketchkit.draw.renderer import Reader
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
+
+if TYPE_CHECKING:
+    from sketchkit.vector.page import Page
 
 SMOOTH_SAMPLES = 4  # for each pixel; Processing's driver gives 4 for every level of smooth()
 
@@ -45,6 +49,10 @@ class Canvas(Protocol):
         """Give the canvas another size; what was drawn is lost."""
         ...
 
+    def offscreen(self, width: int, height: int, renderer_name: str, samples: int) -> Canvas:
+        """Return another canvas, drawn on out of sight."""
+        ...
+
     def begin_frame(self, *, is_looping: bool = True) -> None:
         """Put back matrix, camera and lights."""
         ...
@@ -55,6 +63,22 @@ class Canvas(Protocol):
 
     def image_data(self) -> U8:
         """Return the picture, (h, w, 4) RGBA, top row first."""
+        ...
+
+    def when_drawn(self, call: Callable[[], None]) -> None:
+        """Have `call` called at each `endDraw()`."""
+        ...
+
+    def look(self, target: Target) -> U8:
+        """Return what is on a canvas without what was recorded last, (h, w, 4)."""
+        ...
+
+    def begin_reading(self, reader: Reader) -> None:
+        """Have a reader follow what is drawn from now on."""
+        ...
+
+    def end_reading(self, reader: Reader) -> None:
+        """Have it follow no longer."""
         ...
 
 
@@ -131,6 +155,23 @@ class Keyboard:
     event: KeyEvent | None = None
 
 
+class PageReader(Reader, Protocol):
+    """Makes a page of what is drawn."""
+
+    def finish(self) -> Page:
+        """Return the page."""
+        ...
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A file that is being drawn into, and what writes it in the end."""
+
+    filename: str
+    write: Callable[[Page], bytes]
+    reader: PageReader
+
+
 class SketchParts:
     """All the attributes there are. Groups add methods, never attributes.
 
@@ -146,6 +187,7 @@ class SketchParts:
     args: list[str]
     namespace: Mapping[str, object]
     handlers: dict[str, Callable[..., object]]
+    _recordings: dict[str, Recording]
     _format: Format
     _host: Host
     _clock: Clock

@@ -17,12 +17,7 @@ from sketchkit.draw.recorder import (
     pack_uv,
     unpack_place,
 )
-from sketchkit.geometry.curves import (
-    bezier_points,
-    quadratic_to_cubic,
-    spline_points,
-    spline_to_bezier,
-)
+from sketchkit.geometry.curves import bezier_points, quadratic_to_cubic, spline_points
 
 
 class CurveVertices(Vertices):
@@ -107,7 +102,7 @@ class CurveVertices(Vertices):
         if len(shape.spline) > 3:
             control = np.array(shape.spline[-4:])
             tightness = self._curve_tightness
-            self._note_curve(shape, self._curve_detail, spline_to_bezier(control, tightness))
+            self._note_curve(shape, self._curve_detail, control, tightness)
             self._add_corners(spline_points(control, self._curve_detail, tightness))
 
     def bezierDetail(self, detail: int) -> None:
@@ -163,10 +158,16 @@ class CurveVertices(Vertices):
         self._note_curve(self._open("vertex"), self._bezier_detail, control)
         self._add_corners(bezier_points(control, self._bezier_detail))
 
-    def _note_curve(self, shape: OpenShape, count: int, control: NDArray[np.float64]) -> None:
+    def _note_curve(
+        self,
+        shape: OpenShape,
+        count: int,
+        control: NDArray[np.float64],
+        tightness: float | None = None,
+    ) -> None:
         """Remember the curve that the next corners are steps of, for files that have curves."""
         first = (self._recorder.corner_end - shape.first) // CORNER
-        shape.curves.append(CurveRun(first, count, control))
+        shape.curves.append(CurveRun(first, count, control, tightness))
 
     def _add_corners(self, points: NDArray[np.float64]) -> None:
         """Add many corners, (n, 3), in the current colours."""
@@ -181,7 +182,7 @@ class CurveVertices(Vertices):
             recorder.corners.extend(bytes(len(recorder.corners)))
         recorder.corners[recorder.corner_end : recorder.corner_end + len(data)] = data
         recorder.corner_end += len(data)
-        if shape.texture is not None:
+        if shape.first_uv is not None:
             for _ in points:
                 recorder.make_room()
                 pack_uv(recorder.uvs, recorder.uv_end, 0.0, 0.0)

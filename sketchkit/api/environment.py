@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sketchkit.api._sketch_parts import Phase, SketchParts
 from sketchkit.api.live import LiveInt, live
+from sketchkit.api.page_files import WRITERS, begin_recording
 from sketchkit.core.constants import FX2D, JAVA2D, P2D, P3D
 from sketchkit.core.errors import SketchError, shown, wrong_numbers
 from sketchkit.core.notices import warn_once
@@ -25,10 +26,11 @@ class Environment(SketchParts):
         ----------
         width, height : float, pixels
             At least 1; a fraction is cut off.
-        renderer : P2D, P3D, JAVA2D or FX2D
+        renderer : P2D, P3D, JAVA2D, FX2D, SVG or PDF
             `P3D` gives depth, camera and lights. The others draw flat shapes, all in the same way.
         path : str, optional
-            Not used here: a file to draw into.
+            With `SVG` or `PDF` for renderer: the file that all is drawn into as well. It is written
+            when the sketch ends.
 
         Raises
         ------
@@ -49,24 +51,19 @@ class Environment(SketchParts):
         >>> size(640, 480, P3D)
         """
         self._must_come_before_draw("size", "windowResize(width, height) changes the size later.")
-        try:
-            columns, rows = int(width), int(height)
-        except (TypeError, ValueError):
-            raise wrong_numbers("size", (width, height), SIZE_USAGE) from None
-        if not (1 <= columns <= LARGEST_SIDE and 1 <= rows <= LARGEST_SIDE):
-            raise SketchError(
-                f"A canvas has at least 1 and at most {LARGEST_SIDE} pixels each way.",
-                got=f"size({shown(width)}, {shown(height)})",
-            )
+        columns, rows = checked_size("size", width, height, SIZE_USAGE)
         if self.canvas.has_shapes:
             raise SketchError(
                 "size() comes before anything is drawn: it begins a new, empty canvas.",
                 hint="Write size() as the first line of setup().",
             )
-        self._format.renderer = _known_renderer(renderer)
+        is_file = renderer in WRITERS
+        self._format.renderer = JAVA2D if is_file else known_renderer(renderer)
         self._format.width, self._format.height = columns, rows
         self._reformat()
         self._host.set_size(columns, rows)
+        if is_file:
+            self._recordings["size"] = begin_recording(self.canvas, renderer, path)
 
     def fullScreen(self, *which: str | int) -> None:
         """Use the whole screen as the canvas.
@@ -87,7 +84,7 @@ class Environment(SketchParts):
         """
         self._must_come_before_draw("fullScreen", None)
         renderers = [value for value in which if isinstance(value, str)]
-        self._format.renderer = _known_renderer(renderers[0]) if renderers else JAVA2D
+        self._format.renderer = known_renderer(renderers[0]) if renderers else JAVA2D
         self._format.width, self._format.height = self._host.display_size
         self._reformat()
         self._host.set_fullscreen()
@@ -247,7 +244,28 @@ class Environment(SketchParts):
             raise SketchError(f"{name}() belongs at the beginning of setup().", hint=hint)
 
 
-def _known_renderer(renderer: object) -> str:
+def checked_size(name: str, width: float, height: float, usage: str) -> tuple[int, int]:
+    """Return the columns and rows of a canvas.
+
+    Raises
+    ------
+    SketchError
+        If they are no numbers, or too small or too large.
+    """
+    try:
+        columns, rows = int(width), int(height)
+    except (TypeError, ValueError):
+        raise wrong_numbers(name, (width, height), usage) from None
+    if not (1 <= columns <= LARGEST_SIDE and 1 <= rows <= LARGEST_SIDE):
+        raise SketchError(
+            f"A canvas has at least 1 and at most {LARGEST_SIDE} pixels each way.",
+            got=f"{name}({shown(width)}, {shown(height)})",
+        )
+    return columns, rows
+
+
+def known_renderer(renderer: object) -> str:
+    """Return a renderer's name, or raise a SketchError."""
     if renderer not in RENDERERS:
         raise SketchError(
             "The third value of size() is P2D or P3D, without quotes.", got=shown(renderer)

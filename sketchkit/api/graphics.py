@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from sketchkit.api._parts import BACKDROP
+from collections.abc import Callable
+
+from sketchkit.api._parts import BACKDROP, TRANSPARENT
+from sketchkit.api._pen import Block
+from sketchkit.api._sketch_parts import SMOOTH_SAMPLES
 from sketchkit.api.camera import Camera
 from sketchkit.api.color import Color
 from sketchkit.api.curves import Curves
-from sketchkit.api.images import Images
 from sketchkit.api.lights import Lights
 from sketchkit.api.materials import Materials
+from sketchkit.api.pixels import CanvasPixels
+from sketchkit.api.shapes import RetainedShapes
 from sketchkit.api.shapes2d import Shapes2D
 from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.stacks import Stacks
@@ -17,13 +22,25 @@ from sketchkit.api.textures import Textures
 from sketchkit.core.constants import FX2D, JAVA2D, P3D
 from sketchkit.draw.commands import Settling
 from sketchkit.draw.recorder import Kind
+from sketchkit.draw.renderer import Reader
 from sketchkit.draw.resources import Target
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import U8
 
 
 class PGraphics(
-    Color, Lights, Materials, Stacks, Shapes2D, Curves, Textures, Shapes3D, Camera, Text, Images
+    Color,
+    Lights,
+    Materials,
+    Stacks,
+    Shapes2D,
+    Curves,
+    RetainedShapes,
+    Textures,
+    Shapes3D,
+    Camera,
+    Text,
+    CanvasPixels,
 ):
     """A surface to draw on; the window's is one of them."""
 
@@ -51,6 +68,7 @@ class PGraphics(
         """Give the surface a size and a renderer; what was drawn is lost."""
         self._renderer.flush()
         self._target.resize(width, height, samples)
+        self.size_pixels()
         is_3d = renderer_name == P3D
         self._stage = Stage(
             self._target,
@@ -63,8 +81,95 @@ class PGraphics(
         if is_3d:
             self.perspective()
         self._place_camera(self._default_camera())
-        self._pack_whole(Kind.CLEAR, BACKDROP)
+        self._pack_whole(Kind.CLEAR, TRANSPARENT if self._is_offscreen else BACKDROP)
         self._has_drawn = self._was_cleared = self._is_layered = False
+
+    def offscreen(self, width: int, height: int, renderer_name: str, samples: int) -> PGraphics:
+        """Return another canvas, drawn on out of sight."""
+        canvas = PGraphics(self._renderer, Target(width, height, samples, top_row_first=False))
+        canvas._is_offscreen = True
+        canvas.resize(width, height, renderer_name, samples)
+        return canvas
+
+    def beginDraw(self) -> Block:
+        """Begin to draw on a canvas of `createGraphics()`; `with pg.beginDraw():` ends it too.
+
+        See Also
+        --------
+        endDraw, createGraphics
+
+        Notes
+        -----
+        Matrix, camera and lights begin anew each time; the style stays, and so does the picture
+        until `background()` or `clear()`. Source: Processing's reference, PGraphics.beginDraw().
+
+        Examples
+        --------
+        >>> pg = createGraphics(60, 60, P2D)
+        >>> with pg.beginDraw():
+        ...     pg.circle(30, 30, 40)
+        >>> image(pg, 20, 20)
+        """
+        if self._is_offscreen and not self._is_drawing:
+            self.begin_frame()
+            self._is_drawing = True
+        return Block(self.endDraw)
+
+    def endDraw(self) -> None:
+        """End drawing on a canvas of `createGraphics()`.
+
+        Examples
+        --------
+        >>> pg = createGraphics(60, 60, P2D)
+        >>> pg.beginDraw()
+        >>> pg.background(255, 204, 0)
+        >>> pg.endDraw()
+        >>> image(pg, 20, 20)
+        """
+        self._is_drawing = False
+        for call in self._when_drawn:
+            self._renderer.flush()
+            call()
+
+    def dispose(self) -> None:
+        """Do nothing: `endDraw()` has done all; in Processing it finishes an SVG or PDF file.
+
+        Examples
+        --------
+        >>> pg = createGraphics(60, 60, SVG, "disc.svg")
+        >>> with pg.beginDraw():
+        ...     pg.circle(30, 30, 40)
+        >>> pg.dispose()
+        """
+
+    def when_drawn(self, call: Callable[[], None]) -> None:
+        """Have `call` called at each `endDraw()`."""
+        self._when_drawn.append(call)
+
+    def smooth(self, level: int = 2) -> None:
+        """Draw edges softly, or hard with 0; on a canvas of `createGraphics()` before it is drawn.
+
+        Examples
+        --------
+        >>> pg = createGraphics(60, 60, P2D)
+        >>> pg.smooth()
+        """
+        if self._is_offscreen and not self._has_drawn:
+            self._target.resize(self.width, self.height, SMOOTH_SAMPLES if level else 1)
+
+    def noSmooth(self) -> None:
+        """Draw hard edges on a canvas of `createGraphics()`, called before it is drawn on.
+
+        Examples
+        --------
+        >>> pg = createGraphics(60, 60, P2D)
+        >>> pg.noSmooth()
+        """
+        self.smooth(0)
+
+    def _texture(self) -> Target:
+        """Return the picture, as it is when its turn to be drawn comes."""
+        return self._target
 
     def begin_frame(self, *, is_looping: bool = True) -> None:
         """Put back what does not last from frame to frame: matrix, camera, lights, normal.
@@ -92,7 +197,7 @@ class PGraphics(
         """
         if self._stage.is_java2d:
             return Settling.KEEP  # it draws into one image for ever
-        if self._is_layered:
+        if self._is_layered or (self._is_offscreen and self._has_drawn):
             return Settling.MEAN
         if is_looping and (self._was_cleared or not self._has_drawn):
             return Settling.KEEP
@@ -108,3 +213,17 @@ class PGraphics(
     def image_data(self) -> U8:
         """Return the picture, (h, w, 4) RGBA, top row first."""
         return self._renderer.read(self._target)
+
+    def look(self, target: Target) -> U8:
+        """Return what is on a canvas without what was recorded last, (h, w, 4)."""
+        return self._renderer.backend.read(target)
+
+    def begin_reading(self, reader: Reader) -> None:
+        """Have a reader follow what is drawn from now on."""
+        self._renderer.flush()
+        self._renderer.readers.append(reader)
+
+    def end_reading(self, reader: Reader) -> None:
+        """Have it follow no longer."""
+        self._renderer.flush()
+        self._renderer.readers.remove(reader)

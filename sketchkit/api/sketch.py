@@ -13,8 +13,11 @@ from sketchkit.api.files import Files
 from sketchkit.api.host import Host, NoWindow
 from sketchkit.api.input import Input
 from sketchkit.api.looping import Looping
+from sketchkit.api.offscreen import Offscreen
 from sketchkit.api.pvector import use_random
 from sketchkit.api.randomness import Randomness
+from sketchkit.api.recording import Records
+from sketchkit.api.requests import Requests
 from sketchkit.api.windows import Windows
 from sketchkit.assets.paths import set_sketch_folder
 from sketchkit.core.clock import Clock, VirtualClock
@@ -22,7 +25,18 @@ from sketchkit.core.noise import PerlinNoise
 from sketchkit.core.rng import JavaRandom
 
 
-class Sketch(Environment, Looping, Input, Windows, Files, Randomness, Dates):
+class Sketch(
+    Environment,
+    Offscreen,
+    Looping,
+    Input,
+    Windows,
+    Files,
+    Requests,
+    Records,
+    Randomness,
+    Dates,
+):
     """What is the same in all of a sketch's functions; the sketch itself knows it as `this`.
 
     Parameters
@@ -59,6 +73,7 @@ class Sketch(Environment, Looping, Input, Windows, Files, Randomness, Dates):
         self.args = list(args)
         self.namespace = {}
         self.handlers = {}
+        self._recordings = {}
         self._format = Format()
         self._host = host or NoWindow()
         self._clock = clock or VirtualClock()

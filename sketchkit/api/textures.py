@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from sketchkit.api._pen import OpenShape
 from sketchkit.api.paint import check_choice
 from sketchkit.api.vertices import Vertices, pixels_of
 from sketchkit.core import constants as c
-from sketchkit.draw.recorder import CORNER, UV, pack_uv
+from sketchkit.draw.recorder import CORNER, UV, Recorder, pack_uv
 
 TEXTURE_MODES = {c.IMAGE: "IMAGE", c.NORMAL: "NORMAL"}
 
@@ -44,12 +45,8 @@ class Textures(Vertices):
         """
         shape = self._open("texture")
         shape.texture = pixels_of("texture", image)
-        recorder = self._recorder
-        shape.first_uv = recorder.uv_end
-        for _ in range((recorder.corner_end - shape.first) // CORNER):  # those before it: (0, 0)
-            recorder.make_room()
-            pack_uv(recorder.uvs, recorder.uv_end, 0.0, 0.0)
-            recorder.uv_end += UV
+        if shape.first_uv is None:
+            begin_uvs(self._recorder, shape)
 
     def noTexture(self) -> None:
         """Leave the vertices that follow without a texture; Processing's own name for it.
@@ -70,3 +67,12 @@ class Textures(Vertices):
         """
         check_choice("textureMode", mode, TEXTURE_MODES)
         self._texture_mode = mode
+
+
+def begin_uvs(recorder: Recorder, shape: OpenShape) -> None:
+    """Give a shape texture coordinates from now on; its corners so far get (0, 0)."""
+    shape.first_uv = recorder.uv_end
+    for _ in range((recorder.corner_end - shape.first) // CORNER):
+        recorder.make_room()
+        pack_uv(recorder.uvs, recorder.uv_end, 0.0, 0.0)
+        recorder.uv_end += UV

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar, overload
 
 from sketchkit.api._parts import Block, CanvasParts
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
 from sketchkit.core import matrix as mat
 from sketchkit.core.errors import SketchError, shown
+
+Matrix = TypeVar("Matrix", PMatrix2D, PMatrix3D)
 
 TRANSLATE_USAGE = "x, y [, z]"
 ROTATE_USAGE = "angle | angle, x, y, z"
@@ -194,7 +196,7 @@ class Transforms(CanvasParts):
                 f"pushMatrix() was called {MOST_MATRICES} times without popMatrix().",
                 hint="Write a popMatrix() for each pushMatrix().",
             )
-        self._matrices.append(self._modelview)
+        self._matrices.append((self._modelview, self._camera))
         return Block(self.popMatrix)
 
     def popMatrix(self) -> None:
@@ -217,7 +219,7 @@ class Transforms(CanvasParts):
                 "popMatrix() without pushMatrix().",
                 hint="Each popMatrix() takes back what one pushMatrix() before it put aside.",
             )
-        self._modelview = self._matrices.pop()
+        self._modelview, self._camera = self._matrices.pop()
         self._state = -1
 
     def resetMatrix(self) -> None:
@@ -229,7 +231,7 @@ class Transforms(CanvasParts):
         >>> resetMatrix()
         >>> rect(0, 0, 30, 30)
         """
-        self._modelview = mat.IDENTITY
+        self._modelview = self._camera = mat.IDENTITY
         self._state = -1
 
     def applyMatrix(self, *source: float | PMatrix2D | PMatrix3D) -> None:
@@ -250,7 +252,7 @@ class Transforms(CanvasParts):
         >>> applyMatrix(0.8, -0.3, 40, 0.4, 0.9, 20)
         >>> rect(0, 0, 40, 40)
         """
-        self._modelview = mat.multiply(self._modelview, self._affine("applyMatrix", source))
+        self._modelview = mat.multiply(self._modelview, affine_of("applyMatrix", source))
         self._state = -1
 
     def setMatrix(self, source: PMatrix2D | PMatrix3D) -> None:
@@ -263,21 +265,59 @@ class Transforms(CanvasParts):
         >>> setMatrix(m)
         >>> rect(0, 0, 30, 30)
         """
-        self._modelview = self._affine("setMatrix", (source,))
+        self._modelview, self._camera = affine_of("setMatrix", (source,)), mat.IDENTITY
         self._state = -1
 
-    def getMatrix(self, target: PMatrix3D | None = None) -> PMatrix3D:
-        """Return the current matrix; a given one is filled.
+    @overload
+    def getMatrix(self, target: None = None) -> PMatrix2D | PMatrix3D: ...
+    @overload
+    def getMatrix(self, target: Matrix) -> Matrix: ...
+    def getMatrix(self, target: Any = None) -> Any:
+        """Return the current matrix.
+
+        Parameters
+        ----------
+        target : PMatrix2D or PMatrix3D, optional
+            Takes the numbers in place of a new matrix. A PMatrix2D has no room for those of P3D.
+
+        Returns
+        -------
+        PMatrix3D
+            Without P2D or P3D a PMatrix2D, as in Processing.
+
+        Raises
+        ------
+        SketchError
+            If it is given a PMatrix2D in P3D, or no matrix.
+
+        See Also
+        --------
+        setMatrix, printMatrix, PMatrix2D, PMatrix3D
+
+        Notes
+        -----
+        In P3D it begins with the camera. Source: Processing's PGraphics.getMatrix().
 
         Examples
         --------
-        >>> translate(40, 10)
-        >>> print(getMatrix().m03)
+        >>> size(100, 100, P2D)
+        >>> translate(40, 20)
+        >>> println(getMatrix().m03)
         40.0
         """
-        matrix = PMatrix3D() if target is None else target
-        matrix.set(*mat.to_mat4(self._modelview))
-        return matrix
+        if target is None:
+            target = PMatrix2D() if self._stage.is_java2d else PMatrix3D()
+        if not isinstance(target, PMatrix3D if self._is_3d else PMatrix2D | PMatrix3D):
+            raise SketchError(
+                "getMatrix() fills a PMatrix3D; a PMatrix2D only where there is no depth.",
+                got=f"getMatrix({shown(target)})",
+            )
+        numbers = mat.to_mat4(self._modelview)
+        if isinstance(target, PMatrix2D):
+            a, b, _, x, c, d, _, y, *_ = numbers
+            numbers = a, b, x, c, d, y
+        target.set(*numbers)
+        return target
 
     def printMatrix(self) -> None:
         """Print the current matrix.
@@ -288,21 +328,22 @@ class Transforms(CanvasParts):
         """
         self.getMatrix().print()
 
-    def _affine(self, name: str, source: tuple[Any, ...]) -> mat.Affine:
-        """Return a matrix given as numbers or as an object; a last row is dropped."""
-        if len(source) == 1 and isinstance(source[0], PMatrix2D | PMatrix3D):
-            matrix = PMatrix3D(source[0])
-            source = tuple(matrix.get([0.0] * 16))
-        try:
-            numbers = tuple(value + 0.0 for value in source)
-        except TypeError:
-            numbers = ()
-        if len(numbers) == 6:
-            a, b, tx, c, d, ty = numbers
-            return a, b, 0.0, tx, c, d, 0.0, ty, 0.0, 0.0, 1.0, 0.0
-        if len(numbers) != 16:
-            raise SketchError(
-                f"{name}() takes a PMatrix, or 6 or 16 numbers, row by row.",
-                got=f"{len(source)}: {name}({', '.join(map(shown, source))})",
-            )
-        return numbers[:12]
+
+def affine_of(name: str, source: tuple[Any, ...]) -> mat.Affine:
+    """Return a matrix given as numbers or as an object; a last row is dropped."""
+    if len(source) == 1 and isinstance(source[0], PMatrix2D | PMatrix3D):
+        matrix = PMatrix3D(source[0])
+        source = tuple(matrix.get([0.0] * 16))
+    try:
+        numbers = tuple(value + 0.0 for value in source)
+    except TypeError:
+        numbers = ()
+    if len(numbers) == 6:
+        a, b, tx, c, d, ty = numbers
+        return a, b, 0.0, tx, c, d, 0.0, ty, 0.0, 0.0, 1.0, 0.0
+    if len(numbers) != 16:
+        raise SketchError(
+            f"{name}() takes a PMatrix, or 6 or 16 numbers, row by row.",
+            got=f"{len(source)}: {name}({', '.join(map(shown, source))})",
+        )
+    return numbers[:12]

@@ -135,7 +135,7 @@ class Vertices(Pen):
         """
         if self._attributes < 0:
             self._note_attributes("vertex")
-        if uv or self._shape.texture is not None:  # type: ignore[union-attr] # open: see above
+        if uv or self._shape.first_uv is not None:  # type: ignore[union-attr] # open: see above
             return self._textured_vertex(x, y, z, uv)
         recorder, end = self._recorder, self._recorder.corner_end
         try:
@@ -154,12 +154,12 @@ class Vertices(Pen):
         else:
             self._refuse("vertex", (x, y, z, *uv), VERTEX_USAGE)
         shape, recorder = self._open("vertex"), self._recorder
+        self._begin_uvs(shape)
         try:
-            if shape.texture is not None:
-                scale_u, scale_v = 1.0, 1.0
-                if self._texture_mode == c.IMAGE:
-                    scale_u, scale_v = 1 / shape.texture.width, 1 / shape.texture.height
-                pack_uv(recorder.uvs, recorder.uv_end, u * scale_u, v * scale_v)
+            if shape.first_uv is not None:
+                if shape.texture is not None and self._texture_mode == c.IMAGE:
+                    u, v = u / shape.texture.width, v / shape.texture.height
+                pack_uv(recorder.uvs, recorder.uv_end, u, v)
             color = self._corner_fill(shape)
             pack_corner(
                 recorder.corners,
@@ -174,9 +174,12 @@ class Vertices(Pen):
         except (*PackError, TypeError):
             self._again(self.vertex, (x, y, z, *uv), VERTEX_USAGE)
             return
-        if shape.texture is not None:
+        if shape.first_uv is not None:
             recorder.uv_end += UV
         recorder.corner_end += CORNER
+
+    def _begin_uvs(self, shape: OpenShape) -> None:
+        """Prepare for texture coordinates; without a texture they are left out."""
 
     def _corner_fill(self, shape: OpenShape) -> int:
         """Return the colour of a corner: the tint of a textured shape."""

@@ -13,6 +13,8 @@ P2D: Final = "processing.opengl.PGraphics2D"
 P3D: Final = "processing.opengl.PGraphics3D"
 OPENGL: Final = P3D
 FX2D: Final = "processing.javafx.PGraphicsFX2D"
+PDF: Final = "processing.pdf.PGraphicsPDF"
+SVG: Final = "processing.svg.PGraphicsSVG"
 
 # Numbers
 EPSILON: Final = 0.0001

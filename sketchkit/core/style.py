@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from sketchkit.core import constants as c
 from sketchkit.core.color import ColorMode
@@ -40,6 +41,24 @@ class Style:
     sphere_detail: tuple[int, int] = (30, 30)
 
 
+class Typeface(NamedTuple):
+    """Letters that a text can be set in.
+
+    Attributes
+    ----------
+    path : str
+        The font's file; "" is the default face.
+    is_smooth : bool
+        Whether edges of letters are blended with what is behind them.
+    characters : frozenset of str, or None
+        Those that are drawn; None is all that the file has.
+    """
+
+    path: str = ""
+    is_smooth: bool = True
+    characters: frozenset[str] | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Typography:
     """How text is set.
@@ -47,9 +66,8 @@ class Typography:
     Attributes
     ----------
     size, leading : float, pixels
-    align_x, align_y : int
-    face : str
-        Path of the font's file; "" is the default face.
+    align_x, align_y, mode : int
+    face : Typeface
     design_size : int, pixels
         The size at which the face was made, and its ascent and descent measured; 0 until it is
         first used.
@@ -59,7 +77,8 @@ class Typography:
     leading: float = 14.0
     align_x: int = c.LEFT
     align_y: int = c.BASELINE
-    face: str = ""
+    mode: int = c.MODEL
+    face: Typeface = Typeface()
     design_size: int = 0
 
 
@@ -79,4 +98,4 @@ class SavedStyle:
     typography: Typography
 
 
-__all__ = ["NO_COLOR", "Material", "SavedStyle", "Style", "Typography", "replace"]
+__all__ = ["NO_COLOR", "Material", "SavedStyle", "Style", "Typeface", "Typography", "replace"]

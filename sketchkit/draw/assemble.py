@@ -25,7 +25,9 @@ F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 
 # Ends of strokes are pulled a thousandth toward the eye, to win over the fill that they outline.
 PULL_PERSPECTIVE = (0.999, 0.999, 0.999)
+STROKE = -1  # the source of an outline in the plane
 PULL_PARALLEL = (1.0, 1.0, 0.999)
+NO_PULL = (1.0, 1.0, 1.0)
 
 
 class Assembler:
@@ -64,15 +66,18 @@ class Assembler:
         if self.rows.is_lit:
             columns["normals"] = self._normals(fills, x, y, z)
             columns |= self._materials(fills)
-        columns |= self._sources(fills.sources)
+        own = np.full((1, 1), STROKE if fills.is_stroke else 0)
+        columns |= self._sources(own if fills.sources is None else fills.sources)
         keys = 2 * fills.rows + fills.is_stroke
-        self.layers[Layer.FILLS].add(keys, fills.triangles, columns, fills.textures)
+        self.layers[Layer.FILLS].add(
+            keys, fills.triangles, columns, fills.textures, fills.hides_back
+        )
 
     def _sources(self, sources: NDArray[np.int64] | None) -> dict[str, NDArray[np.generic]]:
         """Return the column that says which corners vertices are, for what is retained."""
         if not self.rows.is_retained.any():
             return {}
-        column = np.full((1, 1), -1) if sources is None else sources
+        column = np.zeros((1, 1)) if sources is None else sources
         return {"sources": column.astype(np.int32)}
 
     def _normals(self, fills: Fills, x: F32, y: F32, z: F32) -> F32:
@@ -164,9 +169,8 @@ class Assembler:
         ordered = {}
         for layer, collected in self.layers.items():
             if collected.keys:
-                indices, keys, ends, textures = collected.in_order()
+                indices, ordered[layer] = collected.in_order()
                 out.blocks[layer] = collected.block(indices)
-                ordered[layer] = PieceOrder(keys >> 1, ends, textures)
         for first, last in self._sections():
             self._draw_section(first, last, ordered, out)
         return out
@@ -175,6 +179,7 @@ class Assembler:
         """Return ranges of rows: one that is drawn by itself, or rows of one stage."""
         stage_ids = np.array([id(stage) for stage in self.rows.stages])[self.rows.states]
         is_alone = np.isin(self.rows.kinds, (*WHOLE, Kind.MESH))
+        is_alone |= np.array([stage.one_by_one for stage in self.rows.stages])[self.rows.states]
         begins = np.ones(len(is_alone), np.bool_)
         begins[1:] = (stage_ids[1:] != stage_ids[:-1]) | is_alone[1:] | is_alone[:-1]
         starts = np.flatnonzero(begins).tolist()
@@ -204,9 +209,9 @@ class Assembler:
             if layers[-1] is Layer.FILLS:
                 ordered[Layer.FILLS].sort(first, last, out.blocks[Layer.FILLS], stage)
         for layer in layers:
-            for begin, end, texture in ordered[layer].runs(first, last):
-                pipeline = _pipeline(stage, layer, texture)
-                _append(out, Draw(pipeline, layer, begin, end - begin))
+            for run in ordered[layer].runs(first, last):
+                pipeline = _pipeline(stage, layer, run.texture, culls_backs=run.hides_back)
+                _append(out, Draw(pipeline, layer, run.begin, run.end - run.begin))
 
     def _mesh_draw(self, row: int, stage: Stage) -> DrawMesh:
         """Return the command for a row that draws a part of a mesh."""
@@ -216,7 +221,9 @@ class Assembler:
         return DrawMesh(_pipeline(stage, part.layer, part.texture), part, modelview)
 
 
-def _pipeline(stage: Stage, layer: Layer, texture: Texture | None) -> Pipeline:
+def _pipeline(
+    stage: Stage, layer: Layer, texture: Texture | None, *, culls_backs: bool = False
+) -> Pipeline:
     """Return how a layer of a stage is drawn."""
     lights = stage.lights if layer is Layer.FILLS else None
     if layer is Layer.LINES:
@@ -238,9 +245,17 @@ def _pipeline(stage: Stage, layer: Layer, texture: Texture | None) -> Pipeline:
         lights=lights or (),
         texture=texture,
         wrap=stage.wrap,
-        line_scale=PULL_PERSPECTIVE if stage.is_perspective else PULL_PARALLEL,
+        line_scale=_pull(stage),
         stroke_perspective=stage.stroke_perspective,
+        culls_backs=culls_backs,
     )
+
+
+def _pull(stage: Stage) -> tuple[float, float, float]:
+    """Return by what the ends of strokes are scaled."""
+    if stage.one_by_one:
+        return NO_PULL
+    return PULL_PERSPECTIVE if stage.is_perspective else PULL_PARALLEL
 
 
 def _is_settle(commands: list[Command], target: Target) -> bool:

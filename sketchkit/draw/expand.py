@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from sketchkit.core.style import Style
 from sketchkit.draw.expand_shapes import expand_shapes
+from sketchkit.draw.hidden_backs import hides_back
 from sketchkit.draw.outlines import Dots, Outlines, add_dots, add_outlines, row_outlines
 from sketchkit.draw.pieces import Expansion, Fills
 from sketchkit.draw.recorder import Kind
@@ -21,6 +22,11 @@ from sketchkit.geometry.solids import Solid, unit_box, unit_sphere
 
 F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
+
+
+# How a texture lies on a rectangle or quad; other flat shapes show but one place of it.
+WHOLE_TEXTURE = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
+NO_TEXTURE = np.zeros((1, 2), np.float32)
 
 
 def expand(rows: Rows) -> Expansion:
@@ -48,7 +54,16 @@ def _add_fills(
         snap = may & is_aligned(x, y, triangles=x.shape[1] == 3)
     fills = Fills(at, x, y, ZERO, triangles, rows.fills[at][:, None], snap=snap)
     fills.normals = rows.normals[states][:, None]
+    _cover(rows, fills, WHOLE_TEXTURE if x.shape[1] == len(WHOLE_TEXTURE) else NO_TEXTURE)
     out.fills.append(fills)
+
+
+def _cover(rows: Rows, fills: Fills, uvs: F32) -> None:
+    """Give the pieces of a retained shape its texture, if it has one; `uvs` is (k, 2)."""
+    if not rows.is_retained.any() or not rows.links[fills.rows].any():
+        return
+    fills.textures = [rows.recorder.textures[link - 1] for link in rows.links[fills.rows]]
+    fills.uvs = np.broadcast_to(uvs, (len(fills.rows), fills.x.shape[1], 2))
 
 
 def _expand_points(rows: Rows, at: I64, out: Expansion) -> None:
@@ -178,9 +193,11 @@ def _add_solids(
             normals = normals * signs[filled][:, None]
         some = at[filled]
         colors = rows.fills[some][:, None]
-        out.fills.append(
-            Fills(some, x[filled], y[filled], z[filled], solid.triangles, colors, normals=normals)
-        )
+        fills = Fills(some, x[filled], y[filled], z[filled], solid.triangles, colors)
+        fills.normals = normals
+        fills.hides_back = hides_back(rows, some, sizes[filled] * solid.reach)
+        _cover(rows, fills, solid.uvs)
+        out.fills.append(fills)
     stroked = at[(rows.strokes[at] >= 0) & (rows.weights[at] > 0)]
     if len(stroked):
         mine = np.isin(at, stroked)

@@ -18,6 +18,7 @@ from sketchkit.draw.rows import Rows
 from sketchkit.geometry.polygons import interpolate, tessellate
 from sketchkit.geometry.primitives import normal_givers
 from sketchkit.geometry.shapes import (
+    FACE_KINDS,
     TRIANGLE,
     Faces,
     faces,
@@ -29,8 +30,6 @@ from sketchkit.geometry.shapes import (
 F32 = NDArray[np.float32]
 I64 = NDArray[np.int64]
 
-FACE_KINDS = (c.TRIANGLES, c.TRIANGLE_STRIP, c.TRIANGLE_FAN, c.QUADS, c.QUAD_STRIP)
-
 
 class Corners:
     """All corners of the recorder, as columns."""
@@ -38,6 +37,7 @@ class Corners:
     def __init__(self, rows: Rows) -> None:
         table = rows.recorder.corner_array()
         self.recorder = rows.recorder
+        self.weight_scale = rows.weight_scale
         self.places: F32 = table["place"]
         self.attributes = table["attributes"].astype(np.int64)
         self.fills = np.maximum(table["fill"], 0)
@@ -46,6 +46,8 @@ class Corners:
     @cached_property
     def normals(self) -> F32:
         """The normal that the sketch gave last before each corner, (v, 3)."""
+        if self.recorder.normals is not None:
+            return self.recorder.normals
         table = np.array([entry.normal for entry in self.recorder.attributes], np.float32)
         normals: F32 = table[self.attributes]
         return normals
@@ -54,7 +56,7 @@ class Corners:
     def weights(self) -> F32:
         """The stroke's weight in force at each corner, (v,)."""
         table = np.array([entry.weight for entry in self.recorder.attributes], np.float32)
-        weights: F32 = table[self.attributes]
+        weights: F32 = table[self.attributes] * self.weight_scale
         return weights
 
     @cached_property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,7 @@ from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import Materials, VertexBlock
 
 I64 = NDArray[np.int64]
+Bool = NDArray[np.bool_]
 U8 = NDArray[np.uint8]
 U32 = NDArray[np.uint32]
 
@@ -32,6 +34,7 @@ class LayerPieces:
         self.indices: list[U32] = []  # (n, 3t) each: the corners of each piece's triangles
         self.keys: list[I64] = []  # (n,) each: where in the order each piece comes
         self.textures: list[list[Texture] | None] = []
+        self.hides_back: list[Bool] = []  # (n,) each
         self.vertex_count = 0
 
     def add(
@@ -40,6 +43,7 @@ class LayerPieces:
         triangles: I64,
         columns: dict[str, NDArray[np.generic]],
         textures: list[Texture] | None = None,
+        hides_back: Bool | None = None,
     ) -> None:
         """Add pieces; a column is (n, k, d), or (n, 1, d) for one value a piece."""
         count, corners = columns["positions"].shape[:2]
@@ -53,10 +57,11 @@ class LayerPieces:
         self.indices.append(first[:, None] + triangles.ravel().astype(np.uint32))
         self.keys.append(keys)
         self.textures.append(textures)
+        self.hides_back.append(np.zeros(count, np.bool_) if hides_back is None else hides_back)
         self.vertex_count += count * corners
 
-    def in_order(self) -> tuple[U32, I64, I64, list[Texture | None] | None]:
-        """Return indices in drawing order, and of each piece in that order: key, end, texture."""
+    def in_order(self) -> tuple[U32, PieceOrder]:
+        """Return indices in drawing order, and the pieces in that order."""
         keys = np.concatenate(self.keys)
         sizes = np.concatenate([np.full(len(part), part.shape[1]) for part in self.indices])
         if len(self.keys) == 1 and (keys[1:] >= keys[:-1]).all():
@@ -78,7 +83,8 @@ class LayerPieces:
             for part_keys, part_textures in zip(self.keys, self.textures, strict=True):
                 every += part_textures or [None] * len(part_keys)
             textures = [every[i] for i in order]
-        return indices, keys[order], np.cumsum(sizes[order]), textures
+        hides_back = np.concatenate(self.hides_back)[order]
+        return indices, PieceOrder(keys[order] >> 1, np.cumsum(sizes[order]), textures, hides_back)
 
     def block(self, indices: U32) -> VertexBlock:
         """Return the vertices with indices put in order."""
@@ -97,15 +103,27 @@ class LayerPieces:
         )
 
 
-class PieceOrder:
-    """Pieces of a layer in drawing order: their rows, ends of their indices, and textures."""
+class Run(NamedTuple):
+    """A range of indices that is drawn in one way."""
 
-    def __init__(self, rows: I64, ends: I64, textures: list[Texture | None] | None) -> None:
+    begin: int
+    end: int
+    texture: Texture | None
+    hides_back: bool
+
+
+class PieceOrder:
+    """Pieces of a layer in drawing order: rows, ends of their indices, textures, hidden backs."""
+
+    def __init__(
+        self, rows: I64, ends: I64, textures: list[Texture | None] | None, hides_back: Bool
+    ) -> None:
         self.rows = rows
         self.ends = ends
         self.textures = textures
+        self.hides_back = hides_back
 
-    def runs(self, first: int, last: int) -> list[tuple[int, int, Texture | None]]:
+    def runs(self, first: int, last: int) -> list[Run]:
         """Return ranges of indices of the rows first..last-1, split where the texture changes."""
         begin, end = (int(i) for i in np.searchsorted(self.rows, (first, last)))
         if begin == end:
@@ -115,10 +133,11 @@ class PieceOrder:
             ids = np.array([id(texture) for texture in self.textures[begin:end]])
             cuts = [begin, *(begin + 1 + np.flatnonzero(ids[1:] != ids[:-1])).tolist(), end]
         return [
-            (
+            Run(
                 int(self.ends[a - 1]) if a else 0,
                 int(self.ends[b - 1]),
                 self.textures[a] if self.textures is not None else None,
+                bool(self.hides_back[a:b].all()),
             )
             for a, b in pairwise(cuts)
         ]
@@ -146,5 +165,7 @@ class PieceOrder:
         self.textures[begin:end] = single
         rows = np.full(len(pieces), self.rows[begin])
         self.rows = np.concatenate([self.rows[:begin], rows, self.rows[end:]])
+        nothing = np.zeros(len(pieces), np.bool_)  # what is sorted is translucent
+        self.hides_back = np.concatenate([self.hides_back[:begin], nothing, self.hides_back[end:]])
         ends = start + 3 * np.arange(1, len(pieces) + 1)
         self.ends = np.concatenate([self.ends[:begin], ends, self.ends[end:]])

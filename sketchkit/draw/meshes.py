@@ -7,13 +7,16 @@ backend keeps a copy and asks for the edits that it has not seen.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.draw.resources import Texture
 from sketchkit.draw.vertex import Layer, VertexBlock
+
+if TYPE_CHECKING:
+    from sketchkit.draw.recorder import Recorder
 
 NEAR = 64  # vertices: changes nearer together than this are sent as one
 MOST_EDITS = 4096  # beyond it, everything is sent anew
@@ -35,11 +38,17 @@ class Mesh:
     Attributes
     ----------
     blocks : dict of Layer to VertexBlock
+    source : Recorder
+        The calls that it was made from, as edits have left them.
+    weight_scale : float
+        By what the weights of its outlines were multiplied.
     version : int
         Number of edits ever made.
     """
 
     blocks: dict[Layer, VertexBlock]
+    source: Recorder | None = None
+    weight_scale: float = 1.0
     version: int = 0
     _edits: list[Edit] = field(default_factory=list)
     _forgotten: int = 0

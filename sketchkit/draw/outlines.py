@@ -23,7 +23,7 @@ F32 = NDArray[np.floating]  # single; NumPy's stubs widen quotients
 I64 = NDArray[np.int64]
 Bool = NDArray[np.bool_]
 
-THIN = 2.0  # px: strokes below it have neither caps nor joins
+THIN = 2.0  # px: strokes below it have neither caps nor joins, but those of retained shapes
 SEGMENT = np.array([(0, 1, 2), (2, 0, 3)])
 SQUARE_X = np.array([[0, -1, 1, 1, -1]], np.float32) / 2
 SQUARE_Y = np.array([[0, -1, -1, 1, 1]], np.float32) / 2
@@ -84,7 +84,8 @@ def add_outlines(rows: Rows, outlines: Outlines, out: Expansion) -> None:
         return
     states = rows.states[outlines.rows]
     width = rows.scales[states] * outlines.weights.max(axis=1)
-    kinds = rows.is_3d[states] * 2 + (width >= THIN)
+    has_joints = (width >= THIN) | rows.is_retained[states]
+    kinds = rows.is_3d[states] * 2 + has_joints
     for kind in np.unique(kinds):
         some = outlines.take(kinds == kind)
         if kind >= 2:

@@ -46,6 +46,8 @@ class Fills:
         Entry of the recorder's attributes, for the material; None: the material of the row's style.
     sources : (n, k) int64 or None
         The recorder's corners that these are; None: they are none of them.
+    hides_back : (n,) bool or None
+        Which pieces hide their own back faces, so that those need not be drawn; None: none does.
     """
 
     rows: I64
@@ -64,6 +66,7 @@ class Fills:
     ambient: I64 | None = None
     attributes: I64 | None = None
     sources: I64 | None = None
+    hides_back: Bool | None = None
 
 
 @dataclass(slots=True)

@@ -58,6 +58,8 @@ class Pipeline(NamedTuple):
         Read by the textured programs alone. A target is read as it is when the draw's turn comes.
     line_scale : (x, y, z)
         Eye-space ends of strokes are scaled by it, so that an outline wins over its own fill.
+    culls_backs : bool
+        Whether faces turned away may be left out, because others hide them.
     stroke_perspective : bool
         Whether the weight of lines and points is a length in eye space or in pixels.
     """
@@ -74,3 +76,4 @@ class Pipeline(NamedTuple):
     wrap: Wrap = Wrap.CLAMP
     line_scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
     stroke_perspective: bool = False
+    culls_backs: bool = False

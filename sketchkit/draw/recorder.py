@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
+from copy import copy
 from enum import IntEnum
 from typing import NamedTuple, TypeAlias
 
@@ -86,6 +87,7 @@ CORNER_DTYPE = np.dtype(
 )
 CORNER = CORNER_DTYPE.itemsize
 pack_corner: Packer = struct.Struct("<fffiqq").pack_into
+pack_place: Packer = struct.Struct("<fff").pack_into
 unpack_place = struct.Struct("<fff").unpack_from
 
 UV = 8
@@ -98,6 +100,26 @@ class Attributes(NamedTuple):
     normal: tuple[float, float, float]
     material: Material
     weight: float
+
+
+class CurveRun(NamedTuple):
+    """Corners of a shape that lie along a curve: what they were made from.
+
+    Attributes
+    ----------
+    first : int
+        The first corner after the curve's start, counted from the shape's first.
+    control : (4, 3) float64
+        Of a cubic Bezier curve: start, two control points, end. Of a spline: the four points that
+        its segment between the middle two depends on.
+    tightness : float or None
+        Of a spline; None for a Bezier curve.
+    """
+
+    first: int
+    count: int  # type: ignore[assignment] # hides tuple.count, which nobody asks of a run
+    control: NDArray[np.float64]
+    tightness: float | None = None
 
 
 class ShapeRun(NamedTuple):
@@ -113,6 +135,8 @@ class ShapeRun(NamedTuple):
         Its texture coordinates, one for each corner, 0..1; None if it has no texture.
     has_normals : bool
         Whether the sketch gave a normal, so that none are made from the faces.
+    curves : tuple of CurveRun
+        What its corners are only steps of.
     """
 
     kind: int
@@ -123,6 +147,7 @@ class ShapeRun(NamedTuple):
     first_uv: int | None
     texture: Texture | None
     has_normals: bool
+    curves: tuple[CurveRun, ...] = ()
 
 
 class Recorder:
@@ -140,6 +165,8 @@ class Recorder:
         Of images, which have no shape.
     parts : list of MeshPart
         Of retained shapes.
+    normals : (n, 3) float32 or None
+        Of all corners, instead of those of `attributes`: of what was given in bulk, or edited.
     """
 
     __slots__ = (
@@ -147,6 +174,7 @@ class Recorder:
         "corner_end",
         "corners",
         "matrices",
+        "normals",
         "parts",
         "row_end",
         "rows",
@@ -175,6 +203,14 @@ class Recorder:
         self.shapes: list[ShapeRun] = []
         self.textures: list[Texture] = []
         self.parts: list[MeshPart] = []
+        self.normals: NDArray[np.float32] | None = None
+
+    def part(self, first: int, last: int) -> Recorder:
+        """Return a recorder with the rows first..last-1 alone, which refer to the same states."""
+        part = copy(self)
+        part.rows = self.rows[first * ROW : last * ROW]
+        part.row_end = len(part.rows)
+        return part
 
     def keep_state(self, style: Style, stage: Stage, modelview: Affine) -> int:
         """Return the index of a state for the rows that follow."""

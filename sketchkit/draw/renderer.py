@@ -32,6 +32,16 @@ class RecordsRows(Protocol):
         """
 
 
+class Reader(Protocol):
+    """Follows what is drawn, to make something else of it than pixels."""
+
+    def read_rows(self, rows: Rows) -> None:
+        """Take what was recorded, before it becomes triangles; the rows must not be kept."""
+
+    def read_commands(self, commands: DrawList) -> None:
+        """Take what is about to be drawn."""
+
+
 @dataclass
 class Stats:
     """What was drawn.
@@ -60,6 +70,7 @@ class Renderer:
         Counted since `reset_stats()`.
     observers : list
         Called with each draw list before it is executed.
+    readers : list of Reader
     """
 
     def __init__(self, backend: Backend) -> None:
@@ -67,6 +78,7 @@ class Renderer:
         self.recorder = Recorder()
         self.stats = Stats()
         self.observers: list[Callable[[DrawList], None]] = []
+        self.readers: list[Reader] = []
         self._canvases: weakref.WeakSet[RecordsRows] = weakref.WeakSet()
         self._sent: weakref.WeakKeyDictionary[Mesh, int] = weakref.WeakKeyDictionary()
 
@@ -83,6 +95,8 @@ class Renderer:
         if not self.recorder.row_end:
             return
         rows = Rows(self.recorder)
+        for reader in self.readers:
+            reader.read_rows(rows)
         commands = Assembler(rows).assemble(expand(rows))
         del rows  # its views would keep the recorder's buffers from growing
         self.recorder.clear()
@@ -99,6 +113,8 @@ class Renderer:
                 self.stats.vertices += self._count_new(command.part.mesh)
         for observer in self.observers:
             observer(commands)
+        for reader in self.readers:
+            reader.read_commands(commands)
         self.backend.execute(commands)
 
     def _count_new(self, mesh: Mesh) -> int:

@@ -30,19 +30,21 @@ class Rows:
     kinds, states, links : (n,) int32
     fills, strokes : (n,) int64, packed ARGB or NO_COLOR
     weights : (n,) float32
+        Those recorded, times `weight_scale`.
     numbers : (n, 8) float32
     matrices : (s, 12) float32
         Modelview of each state, row-major.
     """
 
-    def __init__(self, recorder: Recorder) -> None:
+    def __init__(self, recorder: Recorder, weight_scale: float = 1.0) -> None:
         table = recorder.row_array()
         self.recorder = recorder
         self.kinds = table["kind"]
         self.states = table["state"]
         self.fills = table["fill"]
         self.strokes = table["stroke"]
-        self.weights = table["weight"]
+        self.weight_scale = np.float32(weight_scale)
+        self.weights = table["weight"] * self.weight_scale
         self.links = table["link"]
         self.numbers = table["numbers"]
         self.styles: list[Style] = recorder.styles

@@ -26,6 +26,9 @@ class Stage:
         whole pixels, and corners of images are cut off to whole numbers.
     lights : LightRig or None
         None is unlit; an empty rig is lit by nothing.
+    one_by_one : bool
+        Whether each shape is a section of its own, so that its strokes come before later fills;
+        they lie where they are then, and are not pulled toward the eye.
     sighting : Affine or None
         For what is retained, the modelview under which it is first seen: how large round things
         are on the screen decides their number of sides. None for what is drawn at once.
@@ -44,4 +47,5 @@ class Stage:
     lights: LightRig | None = None
     wrap: Wrap = Wrap.CLAMP
     stroke_perspective: bool = False
+    one_by_one: bool = False
     sighting: Affine | None = None

@@ -67,8 +67,9 @@ class VertexBlock:
     offsets : (n, 2) float32 or None
         POINTS only: from the centre, in pixels (eye-space units with stroke perspective).
     sources : (n,) int32 or None
-        Of what is retained: the corner of the recorder that each vertex shows, or -1. No renderer
-        reads it; it leads an edit of the shape to its vertices.
+        Of what is retained: the corner of the recorder that each vertex shows (0 where there are
+        none), or -1 of an outline in the plane. No renderer reads it; it leads an edit of the
+        shape to its vertices.
     """
 
     positions: F32

@@ -68,6 +68,12 @@ def quadratic_to_cubic(start: F64, control: F64, end: F64) -> F64:
     return np.stack([start, start + (control - start) * 2 / 3, end + (control - end) * 2 / 3, end])
 
 
+def spline_to_bezier(control: F64, tightness: float) -> F64:
+    """Return the four points of the Bezier curve that equals a segment of a spline, (4, d)."""
+    points = np.linalg.solve(_BEZIER, _catmull_rom(tightness) @ control)
+    return points.astype(np.float64)
+
+
 def bezier_point(a: float, b: float, c: float, d: float, t: float) -> float:
     """Return one coordinate of a cubic Bezier curve at `t`."""
     s = 1 - t

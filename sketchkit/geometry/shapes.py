@@ -19,6 +19,7 @@ I64 = NDArray[np.int64]
 SAME = 1.2e-7  # Processing takes coordinates that are closer than float32's epsilon for equal
 TRIANGLE = np.array([(0, 1, 2)])
 QUAD = np.array([(0, 1, 2), (2, 3, 0)])
+FACE_KINDS = (c.TRIANGLES, c.TRIANGLE_STRIP, c.TRIANGLE_FAN, c.QUADS, c.QUAD_STRIP)
 STRIP_QUAD = np.array([(0, 1, 3), (1, 2, 3)])
 
 

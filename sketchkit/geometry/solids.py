@@ -28,6 +28,8 @@ class Solid(NamedTuple):
         Corners of each line that `stroke()` draws, in order.
     is_closed : bool
         Whether each outline returns to its first corner.
+    reach : float
+        How far its corners are from the origin at most, along each axis.
     """
 
     positions: F32
@@ -36,6 +38,7 @@ class Solid(NamedTuple):
     triangles: I64
     outlines: I64
     is_closed: bool
+    reach: float
 
 
 # Back, front, right, left, top, bottom: four corners each, in units of half the size.
@@ -70,6 +73,7 @@ def unit_box() -> Solid:
         (faces[:, :1, None] + QUAD_TRIANGLES).reshape(12, 3),
         faces,
         is_closed=True,
+        reach=0.5,
     )
 
 
@@ -86,7 +90,7 @@ def unit_sphere(around: int, along: int) -> Solid:
     """
     positions, uvs = _sphere_corners(around, along)
     triangles, edges = _sphere_faces(around, along)
-    return Solid(positions, positions, uvs, triangles, edges, is_closed=False)
+    return Solid(positions, positions, uvs, triangles, edges, is_closed=False, reach=1.0)
 
 
 def _sphere_corners(around: int, along: int) -> tuple[F32, F32]:

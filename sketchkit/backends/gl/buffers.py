@@ -31,7 +31,13 @@ _FORMATS: dict[str, str] = {
 }
 
 # An edit names a column as the block does.
-COLUMN_NAMES = {"positions": "position", "colors": "color", "normals": "normal", "uvs": "uv"}
+COLUMN_NAMES = {
+    "positions": "position",
+    "colors": "color",
+    "normals": "normal",
+    "uvs": "uv",
+    "ambient": "ambient",
+}
 
 
 def columns_of(block: VertexBlock) -> dict[str, NDArray[np.generic]]:

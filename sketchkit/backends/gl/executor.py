@@ -122,6 +122,7 @@ class GlBackend:
                 self._draw(command)
                 continue
             bound = None
+            self.context.disable(moderngl.CULL_FACE)
             self._turning.reset()
             match command:
                 case Clear():
@@ -131,11 +132,12 @@ class GlBackend:
                 case Upload(target, data, left, top):
                     self._surfaces.get(target).upload(self.context, target, data, left, top)
         if bound is not None:  # else these would hold for copies too
+            self.context.disable(moderngl.CULL_FACE)
             self._turning.reset()
             self._surfaces.get(bound.target).framebuffer.scissor = None  # type: ignore[assignment]
 
     def _clear(self, command: Clear) -> None:
-        framebuffer = self._surfaces.get(command.target).framebuffer
+        framebuffer = self._surfaces.get(command.target).begin_drawing()
         framebuffer.scissor = _scissor(command.target, command.clip)  # type: ignore[assignment] # the stubs forget None
         framebuffer.depth_mask = command.depth
         red, green, blue, alpha = (channel / 255 for channel in command.color)
@@ -157,12 +159,13 @@ class GlBackend:
 
     def _bind(self, pipeline: Pipeline) -> None:
         context, target = self.context, pipeline.target
-        framebuffer = self._surfaces.get(target).framebuffer
+        framebuffer = self._surfaces.get(target).begin_drawing()
         framebuffer.use()
         framebuffer.depth_mask = pipeline.depth_write
         framebuffer.scissor = _scissor(target, pipeline.clip)  # type: ignore[assignment] # the same
         (context.enable if pipeline.depth_test else context.disable)(moderngl.DEPTH_TEST)
         context.depth_func = "<="
+        (context.enable if pipeline.culls_backs else context.disable)(moderngl.CULL_FACE)
         rule = _BLEND_RULES[pipeline.blend]
         context.enable(moderngl.BLEND)
         replaces = pipeline.blend is Blend.REPLACE

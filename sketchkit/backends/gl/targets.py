@@ -20,6 +20,7 @@ class Surface:
         self.version = target.version
         self._target = weakref.ref(target)
         self._copy: moderngl.Framebuffer | None = None
+        self._is_averaged = self._is_spread = False
         self.image = context.texture(size, 4)
         """One sample a pixel: the average, or what is drawn on when there is only one."""
         self.depth = context.depth_renderbuffer(size, samples=_samples(target))
@@ -32,11 +33,22 @@ class Surface:
             self.framebuffer = context.framebuffer([self.image], self.depth)
         self.framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
 
+    def begin_drawing(self) -> moderngl.Framebuffer:
+        """Return the framebuffer, whose samples will change."""
+        self._is_averaged = self._is_spread = False
+        return self.framebuffer
+
     def average(self, context: moderngl.Context) -> moderngl.Texture:
         """Return the picture with one value a pixel."""
-        if self.framebuffer.samples:
+        if self._colors is not None and not self._is_averaged:
             context.copy_framebuffer(self._averaged, self.framebuffer)
+            self._is_averaged = True
         return self.image
+
+    def _spread(self, context: moderngl.Context) -> None:
+        """Give all samples of each pixel the picture's value; within the scissor, if one is set."""
+        if self._colors is not None and not self._is_spread:
+            context.copy_framebuffer(self.framebuffer, self._averaged)
 
     def picture(self, context: moderngl.Context, drawn_on: Target) -> moderngl.Texture:
         """Return the picture as a texture for drawing on a target, which may be its own."""
@@ -57,15 +69,21 @@ class Surface:
         height, width = data.shape[:2]
         if not target.top_row_first:
             data, top = data[::-1], target.height - top - height
-        self.average(context)
+        is_whole = self.image.size == (width, height)
+        if not is_whole:
+            self.average(context)
         box = (left, top, width, height)
         self.image.write(np.ascontiguousarray(data), viewport=box)
-        if self._colors is not None:
-            self.framebuffer.scissor = box  # a copy changes nothing outside of it
-            self.framebuffer.use()
-            context.copy_framebuffer(self.framebuffer, self._averaged)
-            self.framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget None
-            self.framebuffer.use()
+        self._is_averaged = True
+        if self._colors is None:
+            return
+        was_spread, self._is_spread = self._is_spread, False
+        self.framebuffer.scissor = box  # a copy changes nothing outside of it
+        self.framebuffer.use()
+        self._spread(context)
+        self.framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget None
+        self.framebuffer.use()
+        self._is_spread = is_whole or was_spread
 
     def settle(
         self, context: moderngl.Context, how: Settling, first_sample: moderngl.VertexArray
@@ -79,18 +97,14 @@ class Surface:
         if how is Settling.TURN:
             self._turn_over(context, first_sample)
         if how is Settling.MEAN:
-            self._spread_mean(context)
+            self.average(context)
+            self._spread(context)
+            self._is_spread = True
             return
         framebuffer.depth_mask = True
         framebuffer.color_mask = (False,) * 4
         framebuffer.clear(depth=1.0)
         framebuffer.color_mask = (True,) * 4
-
-    def _spread_mean(self, context: moderngl.Context) -> None:
-        """Give all samples of a pixel their mean."""
-        if self._colors is not None:
-            self.average(context)
-            context.copy_framebuffer(self.framebuffer, self._averaged)
 
     def _turn_over(self, context: moderngl.Context, first_sample: moderngl.VertexArray) -> None:
         """Let the rows change places. It happens once in a sketch: by way of the processor."""
@@ -102,8 +116,9 @@ class Surface:
         data = self._averaged.read(components=4, alignment=1)
         rows = np.frombuffer(data, np.uint8).reshape(self.image.height, -1)
         self.image.write(np.ascontiguousarray(rows[::-1]))
-        if self._colors is not None:
-            context.copy_framebuffer(self.framebuffer, self._averaged)
+        self._is_averaged, self._is_spread = True, False
+        self._spread(context)
+        self._is_spread = True
 
     def read(self, context: moderngl.Context) -> U8:
         """Return the picture, (h, w, 4), in the framebuffer's own order of rows."""
