@@ -27,26 +27,28 @@ HEADER = '''\
 # pyright: reportIncompatibleMethodOverride=none, reportInconsistentConstructor=none
 import builtins
 from collections.abc import Callable, Iterable
-from typing import Self, overload
+from typing import Self, TypeVar, overload
+
+_T = TypeVar("_T")
 '''
 
 # Python has them too, as classes: these must stay classes that can do more.
 CLASSES_OF_PYTHON = {
     "set": '''
-class set[T](builtins.set[T]):
+class set(builtins.set[_T]):
     """Python's set; with three numbers, x, y and a colour, it sets a pixel of the canvas."""
 
     @overload
-    def __init__(self, iterable: Iterable[T] = ..., /) -> None: ...
+    def __init__(self, iterable: Iterable[_T] = ..., /) -> None: ...
     @overload
     def __init__(self, x: float, y: float, color: object, /) -> None: ...
 ''',
     "filter": '''
-class filter[T](builtins.filter[T]):
+class filter(builtins.filter[_T]):
     """Python's filter; with BLUR, GRAY, ... or a shader it changes the picture so far."""
 
     @overload
-    def __new__(cls, function: Callable[[T], object] | None, items: Iterable[T], /) -> Self: ...
+    def __new__(cls, function: Callable[[_T], object] | None, items: Iterable[_T], /) -> Self: ...
     @overload
     def __new__(cls, kind: object, level: float = ..., /) -> None: ...
 ''',

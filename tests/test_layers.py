@@ -25,7 +25,7 @@ class Rule:
     late: tuple[str, ...] = ()
 
 
-BELOW_API = ("core", "data", "geometry", "draw", "assets")
+BELOW_API = ("core", "data", "geometry", "imaging", "draw", "assets", "vector")
 EVERYTHING = (*BELOW_API, "api", "backends", "libraries", "runtime", "grading", "stubs")
 
 # The longest name that fits a module is the one that holds.
@@ -33,6 +33,7 @@ RULES = {
     "core": Rule(theirs=("numpy",)),
     "data": Rule(theirs=("numpy",)),
     "geometry": Rule(("core",), ("numpy",)),
+    "imaging": Rule(("core",), ("numpy",)),
     "draw": Rule(("core", "geometry"), ("numpy",)),
     "backends": Rule(),
     "backends.listing": Rule(("core", "geometry", "draw"), ("numpy",)),
@@ -41,8 +42,9 @@ RULES = {
     "assets": Rule(
         ("core", "geometry", "draw.resources"),
         ("numpy", "PIL", "font_source_sans_pro"),
-        late=("PIL", "trimesh"),
+        late=("PIL", "svgelements", "trimesh", "OpenEXR", "uharfbuzz"),
     ),
+    "vector": Rule(("core", "geometry", "draw", "assets"), ("numpy", "pydyf")),
     "api": Rule(BELOW_API, ("numpy",)),
     "libraries": Rule(("core", "geometry", "api"), ("numpy",)),
     "runtime": Rule((*BELOW_API, "api", "backends"), ("numpy",), late=("watchfiles", "av")),

@@ -34,7 +34,7 @@ def known(tree: ast.Module) -> set[str]:
         if isinstance(node, ast.Import | ast.ImportFrom)
         for alias in node.names
     }
-    return imported | declared(tree) | set(dir(builtins)) | {"T"}
+    return imported | declared(tree) | set(dir(builtins)) | {"_T"}
 
 
 def definition(tree: ast.Module, name: str) -> ast.FunctionDef:

@@ -32,6 +32,8 @@ STAGE_HINTS: dict[int, dict[str, bool]] = {
     c.ENABLE_DEPTH_MASK: {"depth_write": True},
     c.ENABLE_DEPTH_SORT: {"depth_sort": True},
     c.DISABLE_DEPTH_SORT: {"depth_sort": False},
+    c.DISABLE_OPTIMIZED_STROKE: {"one_by_one": True},
+    c.ENABLE_OPTIMIZED_STROKE: {"one_by_one": False},
     c.ENABLE_STROKE_PERSPECTIVE: {"stroke_perspective": True},
     c.DISABLE_STROKE_PERSPECTIVE: {"stroke_perspective": False},
 }
@@ -272,8 +274,10 @@ class Camera(CanvasParts):
         which : constant
             DISABLE_DEPTH_TEST draws what follows over everything; DISABLE_DEPTH_MASK draws it
             without hiding what comes later; ENABLE_DEPTH_SORT draws it from far to near, for
-            transparency; ENABLE_STROKE_PERSPECTIVE makes far strokes thin. DISABLE and ENABLE of
-            a name undo each other; both stay in force from frame to frame.
+            transparency; ENABLE_STROKE_PERSPECTIVE makes far strokes thin;
+            DISABLE_OPTIMIZED_STROKE draws each shape's outline before the next shape, so that it
+            shows through translucent ones. DISABLE and ENABLE of a name undo each other; both stay
+            in force from frame to frame.
 
         Raises
         ------

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import NoReturn
+
 from sketchkit.api.pmatrix_operations import MatrixOperations
 from sketchkit.api.pvector import PVector
 from sketchkit.core import matrix as mat
+from sketchkit.core.errors import SketchError, shown
 from sketchkit.core.matrix import Mat4
 
 
@@ -70,6 +73,45 @@ class PMatrix2D(MatrixOperations):
         PMatrix2D(2.0, 0.0, 0.0, 0.0, 3.0, 0.0)
         """
         self._apply(mat.scale(mat.IDENTITY, x, x if y is None else y))
+
+    def transpose(self) -> None:
+        """Do nothing, as in Processing: mirrored at its diagonal, this has no place for m02, m12.
+
+        Examples
+        --------
+        >>> m = PMatrix2D(1, 2, 3, 4, 5, 6)
+        >>> m.transpose()
+        >>> m
+        PMatrix2D(1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
+        """
+
+    def rotateX(self, angle: float) -> NoReturn:
+        """Say that it takes a PMatrix3D to turn about the x axis.
+
+        Raises
+        ------
+        SketchError
+            Always.
+
+        Examples
+        --------
+        >>> PMatrix3D().rotateX(0.5)
+        """
+        raise _no_turn("rotateX", angle)
+
+    def rotateY(self, angle: float) -> NoReturn:
+        """Say that it takes a PMatrix3D to turn about the y axis.
+
+        Raises
+        ------
+        SketchError
+            Always.
+
+        Examples
+        --------
+        >>> PMatrix3D().rotateY(0.5)
+        """
+        raise _no_turn("rotateY", angle)
 
     def mult(self, source: PVector, target: PVector | None = None) -> PVector:
         """Return where a point goes. z does not count.
@@ -356,3 +398,11 @@ class PMatrix3D(MatrixOperations):
 
     def _mat4(self) -> Mat4:
         return tuple(self._numbers())
+
+
+def _no_turn(name: str, angle: object) -> SketchError:
+    return SketchError(
+        f"A PMatrix2D stays in the plane: it has no {name}().",
+        got=f"{name}({shown(angle)})",
+        hint=f"rotate() turns it; PMatrix3D().{name}({shown(angle)}) turns in space.",
+    )

@@ -6,8 +6,11 @@ take part in it as Mat4, of which a PMatrix2D keeps the six numbers that the pla
 
 from __future__ import annotations
 
-from collections.abc import MutableSequence
+from collections.abc import Iterator, MutableSequence
 from typing import Any, Self, overload
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
 from sketchkit.core import matrix as mat
 from sketchkit.core.errors import SketchError, shown
@@ -224,6 +227,18 @@ class MatrixOperations:
          0.0000  1.0000  20.0000
         """
         print(self)
+
+    def __array__(
+        self, dtype: DTypeLike | None = None, copy: bool | None = None
+    ) -> NDArray[np.generic]:
+        """Return the numbers as NumPy's array, one row each: `numpy.asarray(m)`."""
+        if copy is False:
+            raise ValueError("a matrix has no array of its own: NumPy gets a copy")
+        width = 3 if len(self.__slots__) == 6 else 4
+        return np.array(self._numbers(), dtype).reshape(-1, width)
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self._numbers())
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)):

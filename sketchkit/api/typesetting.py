@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from sketchkit.api._parts import CanvasParts
-from sketchkit.api.pfont import PFont
-from sketchkit.api.style import check_choice
-from sketchkit.assets.fonts import FONT_FILES, Face, design_size, find_face, fonts_of
+from sketchkit.api.paint import check_choice
+from sketchkit.assets.fonts import Face, Setting, design_size, fonts_of
+from sketchkit.assets.letters import letters_of
 from sketchkit.core import constants as c
-from sketchkit.core.errors import SketchError, shown
+from sketchkit.core.errors import SketchError, shown, wrong_numbers
 from sketchkit.core.float32 import f32
 from sketchkit.core.notices import warn_once
-from sketchkit.core.style import Typography
+from sketchkit.core.style import Typeface, Typography
 from sketchkit.data.strings import nfs
 
 LEADING = f32(1.275)  # from line to line, in heights of a letter from ascent to descent
 FIRST_SIZE = 12.0
-CREATEFONT_USAGE = "name, size"
 TEXTALIGN_USAGE = "horizontal [, vertical]"
-TEXTFONT_USAGE = "font [, size]"
-TEXTWIDTH_USAGE = "text"
+TEXTWIDTH_USAGE = "text | characters, start, length"
+CHARACTERS_USAGE = "characters, start, stop, x, y [, z]"
 ALIGNMENTS = {c.LEFT: "LEFT", c.CENTER: "CENTER", c.RIGHT: "RIGHT"}
 VERTICAL = {c.TOP: "TOP", c.CENTER: "CENTER", c.BASELINE: "BASELINE", c.BOTTOM: "BOTTOM"}
 TEXT_MODES = {c.MODEL: "MODEL", c.SHAPE: "SHAPE"}
@@ -48,8 +48,10 @@ class Typesetting(CanvasParts):
 
         Notes
         -----
-        A size that is not above 0 is ignored, with a warning. Source: Processing's reference,
-        textSize().
+        In P2D and P3D the letters of a face are made for the size in which it is first used, and
+        enlarged for others; a font of `createFont()` for each size, or `textMode(SHAPE)`, is crisp.
+        In JAVA2D all text is. A size that is not above 0 is ignored, with a warning. Source:
+        Processing's reference, textSize().
 
         Examples
         --------
@@ -65,31 +67,36 @@ class Typesetting(CanvasParts):
         elif self._typography.design_size:
             self._size_text(wanted)
         else:
-            self._use_face("", wanted)
+            self._use_face(Typeface(), wanted)
 
     def _size_text(self, size: float) -> None:
         self._typography = replace(self._typography, size=size)
         leading = f32(f32(self.textAscent() + self.textDescent()) * LEADING)
         self._typography = replace(self._typography, leading=leading)
 
-    def _use_face(self, path: str, size: float) -> None:
+    def _use_face(self, face: Typeface, size: float) -> None:
         """Set text in a face, made at a size."""
-        self._typography = replace(
-            self._typography, face=path, design_size=design_size(size), size=size
-        )
+        made_at = letters_of(face).own_size or design_size(size)
+        self._typography = replace(self._typography, face=face, design_size=made_at, size=size)
         self._size_text(size)
 
     def _typeset(self) -> Typography:
         """Return how text is set; the face is made when it is first needed."""
         if not self._typography.design_size:
-            self._use_face("", FIRST_SIZE)
+            self._use_face(Typeface(), FIRST_SIZE)
         return self._typography
 
     def _set_face(self) -> Face:
         """Return the face that text is set in, at its size."""
         typography = self._typeset()
-        fonts = fonts_of(self._renderer)
-        return fonts.face(typography.face, typography.design_size, typography.size)
+        made_at, size, is_java2d = typography.design_size, typography.size, self._stage.is_java2d
+        return fonts_of(self._renderer).set(
+            Setting(
+                *(typography.face, made_at, size, made_at),
+                is_hinted=not is_java2d,
+                is_kerned=is_java2d and size != made_at,  # so Processing makes the faces of JAVA2D
+            )
+        )
 
     def textAlign(self, alignX: int, alignY: int = c.BASELINE) -> None:
         """Set which point of a text its x and y are.
@@ -123,28 +130,45 @@ class Typesetting(CanvasParts):
         self._typography = replace(self._typography, align_x=alignX, align_y=alignY)
 
     def textLeading(self, leading: float) -> None:
-        r"""Set the distance from line to line, until the next `textSize()`.
+        r"""Set the distance from line to line, until the next `textSize()` or `textFont()`.
 
         Parameters
         ----------
         leading : float, pixels
 
+        See Also
+        --------
+        textSize, text
+
+        Notes
+        -----
+        The first text of a sketch that has called neither of these sets size and leading anew, as
+        in Processing. Source: Processing's reference, textLeading().
+
         Examples
         --------
+        >>> textSize(12)
         >>> textLeading(30)
         >>> text("two\nlines", 10, 30)
         """
         try:
-            self._typography = replace(self._typeset(), leading=f32(leading + 0.0))
+            self._typography = replace(self._typography, leading=f32(leading + 0.0))
         except TypeError:
             self._refuse("textLeading", (leading,), "leading")
 
-    def textWidth(self, what: object) -> float:
+    def textWidth(self, what: object, start: float = 0, length: float | None = None) -> float:
         """Return how wide a text is, in pixels; of several lines, the widest.
 
         Parameters
         ----------
         what : str or number
+        start, length : int, optional
+            Of a list of characters: the first one that counts, and how many.
+
+        Raises
+        ------
+        SketchError
+            If the list has no such characters.
 
         See Also
         --------
@@ -152,15 +176,21 @@ class Typesetting(CanvasParts):
 
         Notes
         -----
-        The sum of its letters' widths, each a whole number. Source: Processing's reference,
-        textWidth().
+        The sum of its letters' widths: each a whole number in P2D and P3D. Source: Processing's
+        reference, textWidth().
 
         Examples
         --------
         >>> line(10, 52, 10 + textWidth("word"), 52)
         >>> text("word", 10, 50)
         """
-        return max(map(self._set_face().width, as_text(what).split("\n")))
+        if length is None:
+            written = as_text(what)
+        elif isinstance(what, Sequence):
+            written = characters("textWidth", what, start, start + length)
+        else:
+            self._refuse("textWidth", (what, start, length), TEXTWIDTH_USAGE)
+        return max(map(self._set_face().width, written.split("\n")))
 
     def textAscent(self) -> float:
         """Return how far letters reach above the baseline, in pixels.
@@ -185,98 +215,40 @@ class Typesetting(CanvasParts):
         return self._set_face().descent
 
     def textMode(self, mode: int) -> None:
-        """Accept MODEL or SHAPE; text looks the same in both.
-
-        Examples
-        --------
-        >>> textMode(SHAPE)
-        >>> text("word", 10, 50)
-        """
-        check_choice("textMode", mode, TEXT_MODES)
-
-    def createFont(
-        self, name: str, size: float, smooth: bool = True, charset: object = None
-    ) -> PFont:
-        """Make a font for `textFont()`.
+        """Choose how letters are drawn.
 
         Parameters
         ----------
-        name : str
-            A TTF or OTF file in the sketch's `data` folder, or beside the sketch. For the name of
-            a font of the system, the default face is taken: it looks the same everywhere.
-        size : float, pixels
-        smooth, charset : optional
-            Accepted as in Processing; letters are always smooth, and made when they are needed.
-
-        Returns
-        -------
-        PFont
+        mode : MODEL or SHAPE
+            MODEL, at first: as images, made for the size of the text. SHAPE: as filled shapes,
+            which are crisp at every size and under every transform, and take more time.
 
         Raises
         ------
         SketchError
-            If there is no such file, or it is no font.
+            If it is neither.
 
         See Also
         --------
-        textFont, text
+        text, createFont
 
         Notes
         -----
-        Source: Processing's reference, createFont().
+        JAVA2D knows MODEL alone, and is as crisp. As other shapes, SHAPE obeys `noFill()`, lights
+        and `blendMode()`. Source: Processing's reference, textMode().
 
         Examples
         --------
-        >>> font = createFont("", 32)
-        >>> textFont(font)
-        >>> text("word", 10, 50)
+        >>> size(200, 100, P2D)
+        >>> textMode(SHAPE)
+        >>> scale(5)
+        >>> text("word", 5, 15)
         """
-        try:
-            is_positive = size > 0
-        except TypeError:
-            self._refuse("createFont", (name, size), CREATEFONT_USAGE)
-        if not is_positive:
-            raise SketchError("createFont() takes a size above 0.", got=shown(size))
-        if str(name).lower().endswith(FONT_FILES):
-            return PFont(find_face("createFont", name), size)
-        if name:
-            warn_once(
-                f"createFont({shown(name)}): the default face takes its place. For another one put "
-                "its TTF or OTF file into the sketch's data folder."
-            )
-        return PFont("", size)
-
-    def textFont(self, which: PFont, size: float | None = None) -> None:
-        """Set text in a font from now on.
-
-        Parameters
-        ----------
-        which : PFont
-            From `createFont()`.
-        size : float, pixels, optional
-            Otherwise the size that it was made for.
-
-        Raises
-        ------
-        SketchError
-            If it is no font.
-
-        Notes
-        -----
-        Source: Processing's reference, textFont().
-
-        Examples
-        --------
-        >>> textFont(createFont("", 24))
-        >>> text("word", 10, 50)
-        """
-        if not isinstance(which, PFont):
-            raise SketchError(
-                "textFont() takes a font.", got=shown(which), hint="createFont() makes one."
-            )
-        self._use_face(which._path, which._size)
-        if size is not None:
-            self.textSize(size)
+        check_choice("textMode", mode, TEXT_MODES)
+        if mode == c.SHAPE and self._stage.is_java2d:
+            warn_once("textMode(SHAPE) has no effect in JAVA2D; size() with P2D or P3D has it.")
+            return
+        self._typography = replace(self._typography, mode=mode)
 
 
 def as_text(what: object) -> str:
@@ -287,3 +259,23 @@ def as_text(what: object) -> str:
         return str(what)
     number = float(what)
     return nfs(number, 0, 3) if math.isfinite(number) else str(number)
+
+
+def characters(caller: str, what: Sequence[object], start: float, stop: float) -> str:
+    """Return characters of a list, from one place to before another, as a text.
+
+    Raises
+    ------
+    SketchError
+        If the list has not got them.
+    """
+    try:
+        first, end = int(start), int(stop)
+    except (TypeError, ValueError):
+        raise wrong_numbers(caller, (what, start, stop), CHARACTERS_USAGE) from None
+    if not 0 <= first <= end <= len(what):
+        raise SketchError(
+            f"{caller}() takes characters of a list that has {len(what)} of them.",
+            got=f"from {first} to before {end}",
+        )
+    return "".join(chr(one) if isinstance(one, int) else str(one) for one in what[first:end])

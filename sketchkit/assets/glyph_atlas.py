@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sketchkit.core.style import Typeface
 from sketchkit.draw.resources import Pixels
 
 U8 = NDArray[np.uint8]
@@ -17,7 +19,21 @@ SIDE = 1024  # of a full image
 FIRST_HEIGHT = 256
 GAP = 1  # clear pixels on each side of a letter
 
-MOST_COLUMNS = SIDE - 2 * GAP  # of one mask
+MOST_PIXELS = SIDE - 2 * GAP  # that a mask may be wide or high
+
+
+class Letter(NamedTuple):
+    """A character, drawn in a face at a size in pixels.
+
+    `left` and `top` are where the top left corner of its mask is from the pen, y down.
+    """
+
+    face: Typeface
+    size: float
+    is_hinted: bool
+    character: str
+    left: int
+    top: int
 
 
 class Place(NamedTuple):
@@ -28,6 +44,19 @@ class Place(NamedTuple):
     row: int
 
 
+@dataclass(eq=False)
+class Sheet(Pixels):
+    """An image of letters.
+
+    Attributes
+    ----------
+    letters : dict of (column, row) to Letter
+        Which letter lies where, for files that show its outline instead.
+    """
+
+    letters: dict[tuple[int, int], Letter] = field(default_factory=dict)
+
+
 class GlyphAtlas:
     """Images in which letters are white, and alpha is how much of each pixel they cover.
 
@@ -36,28 +65,38 @@ class GlyphAtlas:
     masks stay where they are; what was recorded with the old one goes on using that. When it is
     as high as wide, another one is begun.
 
+    Parameters
+    ----------
+    height : int, pixels
+        Of the highest letter, about.
+
     Attributes
     ----------
     growths : int
         How often an image was replaced: from then on its letters have other coordinates, 0..1.
     """
 
-    def __init__(self, first_height: int = FIRST_HEIGHT) -> None:
+    def __init__(self, height: int = FIRST_HEIGHT) -> None:
         self.growths = 0
-        self._first_height = max(first_height, FIRST_HEIGHT)
+        self._first_height = max(height, FIRST_HEIGHT)
         self._images = [_empty(self._first_height)]
-        self._places: dict[str, Place] = {}
+        self._places: dict[Letter, Place] = {}
         self._column = self._row = self._row_height = 0
 
-    def place(self, name: str, mask: U8) -> Place:
-        """Return where a mask lies, (h, w) uint8; it is put in if it is not there yet."""
-        return self._places.get(name) or self._add(name, mask)
+    @property
+    def image_count(self) -> int:
+        """How many images there are."""
+        return len(self._images)
 
-    def image(self, number: int) -> Pixels:
+    def place(self, letter: Letter, mask: U8) -> Place:
+        """Return where a mask lies, (h, w) uint8; it is put in if it is not there yet."""
+        return self._places.get(letter) or self._add(letter, mask)
+
+    def image(self, number: int) -> Sheet:
         """Return an image as it is now."""
         return self._images[number]
 
-    def _add(self, name: str, mask: U8) -> Place:
+    def _add(self, letter: Letter, mask: U8) -> Place:
         height, width = mask.shape
         self._make_room(width + 2 * GAP, height + 2 * GAP)
         place = Place(len(self._images) - 1, self._column + GAP, self._row + GAP)
@@ -65,8 +104,9 @@ class GlyphAtlas:
         image.data[self._row :, self._column :][: height + 2 * GAP, : width + 2 * GAP, :3] = 255
         image.data[place.row :, place.column :][:height, :width, 3] = mask
         image.version += 1
+        image.letters[place.column, place.row] = letter
         self._column += width + 2 * GAP
-        self._places[name] = place
+        self._places[letter] = place
         return place
 
     def _make_room(self, width: int, height: int) -> None:
@@ -87,9 +127,10 @@ class GlyphAtlas:
         old = self._images[-1]
         larger = _empty(2 * old.height)
         larger.data[: old.height] = old.data
+        larger.letters = old.letters
         self._images[-1] = larger
         self.growths += 1
 
 
-def _empty(height: int) -> Pixels:
-    return Pixels(np.zeros((height, SIDE, 4), np.uint8))
+def _empty(height: int) -> Sheet:
+    return Sheet(np.zeros((height, SIDE, 4), np.uint8))

@@ -42,8 +42,7 @@ def _wrap_sentence(sentence: str, width: float, measure: Measure) -> tuple[list[
     line = word = place = 0  # where the line and its last word begin; where we are
     used = 0.0
     while True:
-        while place < len(sentence) and sentence[place] != " ":
-            place += 1
+        place = sentence.find(" ", place) % (len(sentence) + 1)  # -1, not found, is the end
         word_width = measure(sentence[word:place])
         if used + word_width < width:
             if place == len(sentence):

@@ -87,6 +87,7 @@ class Loop:
         """Call what the sketch wants to be called at its end."""
         for name in LAST_CALLS:
             self.program.call(name)
+        self._sketch.write_files()
 
     def _leave(self, call: SystemExit) -> None:
         """Do what `sys.exit()` asks for: as `exit()`, but at once, and perhaps with last words."""

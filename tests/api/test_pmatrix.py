@@ -1,5 +1,6 @@
 """Expected numbers were measured with Processing's PMatrix3D and PMatrix2D."""
 
+import numpy as np
 import pytest
 
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
@@ -171,3 +172,22 @@ def test_print_is_processings(capsys, solid):
 def test_wrong_sources_are_told(kind, source):
     with pytest.raises(SketchError, match=rf"^{kind.__name__}'s set\(\) takes 6"):
         kind(*source)
+
+
+def test_plane_matrix_cannot_turn_in_space() -> None:
+    with pytest.raises(SketchError, match=r"stays in the plane: it has no rotateX\(\)"):
+        PMatrix2D().rotateX(0.5)
+
+
+def test_numpy_reads_rows() -> None:
+    plane = np.asarray(PMatrix2D(1, 2, 3, 4, 5, 6), dtype=np.float32)
+
+    assert plane.dtype == np.float32
+    assert plane.tolist() == [[1, 2, 3], [4, 5, 6]]
+    assert np.asarray(PMatrix3D()).tolist() == np.eye(4).tolist()
+
+
+def test_numbers_can_be_unpacked() -> None:
+    a, b, x, c, d, y = PMatrix2D(1, 2, 3, 4, 5, 6)
+
+    assert (a, b, x, c, d, y) == (1, 2, 3, 4, 5, 6)

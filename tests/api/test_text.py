@@ -57,6 +57,7 @@ def test_alignment_at_a_point(flat, across, down, place):
     [(BASELINE, [41, 61]), (TOP, [50, 70]), (CENTER, [36, 56]), (BOTTOM, [19, 39])],
 )
 def test_lines_are_aligned_all_together(flat, down, tops):
+    flat.textSize(12)
     flat.textAlign(LEFT, down)
     flat.textLeading(20)
 
@@ -121,6 +122,7 @@ def test_lines_that_do_not_fit_are_left_out(flat):
         (np.float32(0.5), " 0.500"),
         ("x", "x"),
         (True, "True"),
+        (None, "None"),
         ([1, 2], "[1, 2]"),
     ],
 )
@@ -160,6 +162,27 @@ def test_text_is_blended_whatever_the_mode(flat):
     assert {draw.pipeline.blend for draw in others} == {Blend.ADD}
 
 
+def test_some_characters_of_a_list(flat):
+    flat.text(list("xddx"), 1, 3, 10, 20)
+    some = corners(flat)
+    flat.text(np.frombuffer(b"xddx", np.uint8).tolist(), 1, 3, 10, 20)
+
+    assert some == corners(flat) == [(10, 11), (17, 11)]
+
+
+def test_a_box_of_negative_size_is_the_same_box(flat):
+    flat.text("dddd dddd", 50, 80, -40, -60)
+
+    assert corners(flat)[::4] == [(10, 20), (10, 35)]
+
+
+def test_a_box_without_room_shows_nothing(flat):
+    flat.text("d", 10, 10, 3, 50)
+    flat.text("d", 10, 10, 50, 5)
+
+    assert not drawn(flat).blocks
+
+
 def test_z_moves_text_in_space_alone():
     solid, flat = new_canvas(P3D), new_canvas("P2D")
     for canvas in (solid, flat):
@@ -191,7 +214,9 @@ def test_a_thousand_letters_find_room(flat):
         (("a", "b", 3), "Got text for x"),
         (("a", 1, None), "Got None for y"),
         (("a", 1, 2, 3, "4"), "Got text for height"),
-        (("a", 1, 2, 3, 4, 5), "takes 3, 4 or 5 values"),
+        (("a", 1, 2, 3, 4, 5), "takes"),
+        ((["a", "b"], 0, 3, 10, 10), "a list that has 2"),
+        ((["a", "b"], 0, 1, 10, 10, 0, 0), "takes"),
         (("a", 1e40, 2), "text\\(\\) is too large"),
     ],
 )

@@ -8,8 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sketchkit.api.pmatrix import PMatrix2D
+from sketchkit.core.constants import JAVA2D
 from sketchkit.core.errors import SketchError
-from tests.canvases import deep_canvas, flat_canvas
+from tests.canvases import deep_canvas, flat_canvas, new_canvas
 
 numbers = st.floats(-100, 100)
 angles = st.floats(-7, 7)
@@ -193,3 +195,40 @@ def place_after(transform, *point):
 def test_what_is_no_number_is_refused(flat, call, message):
     with pytest.raises(SketchError, match=message):
         call(flat)
+
+
+def test_matrix_of_java2d_is_one_of_the_plane() -> None:
+    canvas = new_canvas(JAVA2D)
+    canvas.translate(40, 20)
+
+    matrix = canvas.getMatrix()
+
+    assert isinstance(matrix, PMatrix2D)
+    assert (matrix.m02, matrix.m12) == (40, 20)
+
+
+def test_getMatrix_fills_a_plane_matrix_where_there_is_no_depth() -> None:
+    canvas = flat_canvas()
+    canvas.translate(40, 20)
+    matrix = PMatrix2D()
+
+    assert canvas.getMatrix(matrix) is matrix
+    assert (matrix.m02, matrix.m12) == (40, 20)
+
+
+def test_plane_matrix_has_no_room_for_that_of_p3d() -> None:
+    with pytest.raises(SketchError, match=r"getMatrix\(\) fills a PMatrix3D"):
+        deep_canvas().getMatrix(PMatrix2D())
+
+
+def test_resetMatrix_drops_the_camera_until_popMatrix() -> None:
+    canvas = deep_canvas()
+
+    canvas.pushMatrix()
+    canvas.resetMatrix()
+    without = canvas.modelX(1, 2, 3)
+    canvas.popMatrix()
+    canvas.translate(10, 0)
+
+    assert without == 1  # measured with Processing: the camera is the identity as well
+    assert canvas.modelX(1, 2, 3) == pytest.approx(11)

@@ -2,9 +2,10 @@ from importlib.resources import files
 
 import pytest
 
-from sketchkit.core.constants import BASELINE, CENTER, MODEL, SHAPE, TOP
+from sketchkit.core.constants import BASELINE, CENTER, JAVA2D, MODEL, SHAPE, TOP
 from sketchkit.core.errors import SketchError
 from sketchkit.core.notices import SketchWarning
+from tests.canvases import new_canvas
 
 BOLD = str(files("font_source_sans_pro") / "files" / "SourceSansPro-Bold.ttf")
 
@@ -62,33 +63,6 @@ def test_a_style_takes_its_text_with_it(flat):
     assert flat.textWidth("Hello") == 44
 
 
-def test_a_font_is_set_at_its_own_size_or_another(flat):
-    font = flat.createFont(BOLD, 30)
-
-    flat.textFont(font)
-    bold = flat.textWidth("Hello")
-    flat.textFont(font, 60)
-
-    assert (font.getName(), font.getSize()) == ("SourceSansPro-Bold", 30)
-    assert flat.textWidth("Hello") == pytest.approx(2 * bold, abs=5)
-    assert bold > 66  # of the regular face
-
-
-def test_a_fonts_ascent_is_a_part_of_its_size(flat):
-    font = flat.createFont("", 32)
-
-    assert font.ascent() == pytest.approx(23 / 32)
-    assert font.descent() == pytest.approx(7 / 32)
-
-
-def test_a_font_of_the_system_is_replaced_with_a_remark(flat):
-    with pytest.warns(SketchWarning, match="the default face takes its place"):
-        font = flat.createFont("Comic Sans MS", 20)
-
-    flat.textFont(font)
-    assert flat.textWidth("Hello") == 44
-
-
 @pytest.mark.parametrize("size", [0, -3])
 def test_a_size_that_is_not_above_0_is_ignored_with_a_remark(flat, size):
     with pytest.warns(SketchWarning, match="has no effect"):
@@ -97,9 +71,37 @@ def test_a_size_that_is_not_above_0_is_ignored_with_a_remark(flat, size):
     assert measures(flat) == (27, 9, 2)
 
 
-@pytest.mark.parametrize("mode", [MODEL, SHAPE])
-def test_text_modes_are_accepted(flat, mode):
-    flat.textMode(mode)
+def test_a_leading_before_the_first_text_is_lost_as_in_processing(flat):
+    flat.textLeading(50)
+    flat.text("d", 0, 0)
+
+    assert flat._typography.leading == pytest.approx(14.025)
+
+
+def test_a_style_takes_the_mode_of_text_with_it(flat):
+    flat.pushStyle()
+    flat.textMode(SHAPE)
+    flat.popStyle()
+
+    assert flat._typography.mode == MODEL
+
+
+def test_java2d_has_no_shapes_of_text():
+    canvas = new_canvas(JAVA2D)
+
+    with pytest.warns(SketchWarning, match="no effect in JAVA2D"):
+        canvas.textMode(SHAPE)
+
+
+def test_widths_in_java2d_are_fractions():
+    canvas = new_canvas(JAVA2D)
+    canvas.textSize(20)
+
+    assert canvas.textWidth("a\tb") == pytest.approx(21.139968872070312)  # Processing's
+
+
+def test_the_width_of_some_characters(flat):
+    assert flat.textWidth(list("xHellox"), 1, 5) == flat.textWidth("Hello") == 27
 
 
 @pytest.mark.parametrize(
@@ -110,10 +112,8 @@ def test_text_modes_are_accepted(flat, mode):
         (lambda g: g.textAlign(TOP), "takes LEFT, CENTER or RIGHT"),
         (lambda g: g.textAlign(CENTER, 5), "TOP, CENTER, BASELINE or BOTTOM"),
         (lambda g: g.textMode(99), "MODEL or SHAPE"),
-        (lambda g: g.textFont("Arial"), "createFont"),
-        (lambda g: g.createFont("a.ttf", "b"), "Got text for size"),
-        (lambda g: g.createFont("a.ttf", 0), "a size above 0"),
-        (lambda g: g.createFont("nowhere.ttf", 12), "no file nowhere.ttf"),
+        (lambda g: g.textWidth(5, 0, 1), "textWidth"),
+        (lambda g: g.textWidth(["a"], 0, 2), "a list that has 1"),
     ],
 )
 def test_mistakes_are_told(flat, call, message):

@@ -15,6 +15,7 @@ from sketchkit.geometry.curves import (
     spline_point,
     spline_points,
     spline_tangent,
+    spline_to_bezier,
 )
 
 ARCH = np.array([(0, 0), (0, 8), (8, 8), (8, 0)], float)
@@ -117,3 +118,14 @@ def test_points_of_a_curve_are_those_of_its_formula(points, detail):
 
     expected = [bezier_point(*points, i / detail) for i in range(1, detail + 1)]
     np.testing.assert_allclose(drawn, expected, atol=1e-9)
+
+
+@given(four_points, st.floats(-2, 2))
+def test_bezier_curve_of_a_spline_runs_through_its_points(points, tightness):
+    control = np.array(points)[:, None]
+
+    bezier = spline_to_bezier(control, tightness)
+
+    expected = spline_points(control, 8, tightness)
+    assert bezier[0] == pytest.approx(control[1], abs=1e-9)
+    assert bezier_points(bezier, 8) == pytest.approx(expected, abs=1e-9)

@@ -7,10 +7,12 @@ from sketchkit.core.constants import (
     CENTER,
     DISABLE_DEPTH_MASK,
     DISABLE_DEPTH_TEST,
+    DISABLE_OPTIMIZED_STROKE,
     DISABLE_STROKE_PERSPECTIVE,
     ENABLE_DEPTH_MASK,
     ENABLE_DEPTH_SORT,
     ENABLE_DEPTH_TEST,
+    ENABLE_OPTIMIZED_STROKE,
     ENABLE_STROKE_PERSPECTIVE,
     P3D,
 )
@@ -90,3 +92,22 @@ def coplanar_shapes_show_the_later_one(g: PGraphics) -> None:
     for i in range(4):
         g.fill(255 - 60 * i, 100, 60 * i)
         g.rect(-40 + 10 * i, -36 + 9 * i, 46, 40)
+
+
+@scene(P3D)
+def outlines_one_by_one(g: PGraphics) -> None:
+    g.background(255)
+    g.hint(DISABLE_OPTIMIZED_STROKE)
+    g.translate(45, 50)
+    g.rotateY(0.5)
+    g.strokeWeight(3)
+    g.fill(255, 0, 0)
+    g.box(30)
+    g.translate(0, 0, 25)
+    g.stroke(0, 150, 0)
+    g.fill(0, 0, 255, 80)
+    g.rect(-30, -30, 45, 45)
+    g.hint(ENABLE_OPTIMIZED_STROKE)
+    g.translate(0, 0, 15)
+    g.fill(255, 255, 0, 120)
+    g.rect(-25, -10, 40, 40)
