@@ -1,0 +1,1 @@
+"""Fonts: faces, their letters, and what these look like."""
