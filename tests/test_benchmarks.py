@@ -13,6 +13,10 @@ from benchmarks.workloads import files, title_of
 from sketchkit.runtime.headless import Launch, render
 
 
+# In their second frame: an empty one, a shape that was sent in the first, and pixels.
+SENDING_NOTHING = ("W0", "W5", "W10")
+
+
 def refuse(path: Path, line: int, text: str) -> None:
     raise AssertionError(f"{path.name}, line {line}: {text}")
 
@@ -24,7 +28,7 @@ def test_workload_goes_out_in_few_draws(workload: str) -> None:
     (frame,) = render(launch, [2], NoBackend())
 
     assert frame.draw_calls <= 4
-    assert (frame.vertices > 10_000) == (workload != "W0")
+    assert (frame.vertices >= 4_000) == (workload not in SENDING_NOTHING)
 
 
 def test_title_is_the_first_line_without_the_short_name() -> None:

@@ -61,6 +61,9 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "example.py").touch()
     (tmp_path / "data").mkdir()
     (tmp_path / "data" / "poem.txt").write_text("A rose\nis a rose\n", encoding="utf-8")
+    (tmp_path / "data" / "house.svg").write_text(
+        '<svg width="80" height="80"><rect x="9" y="30" width="60" height="50"/></svg>'
+    )
     photo = np.indices((40, 60, 3)).sum(axis=0).astype(np.uint8)
     Image.fromarray(photo).save(tmp_path / "data" / "photo.png")
     return tmp_path

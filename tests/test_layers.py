@@ -25,7 +25,7 @@ class Rule:
     late: tuple[str, ...] = ()
 
 
-BELOW_API = ("core", "data", "geometry", "imaging", "draw", "assets", "vector")
+BELOW_API = ("core", "data", "geometry", "glsl", "imaging", "draw", "assets", "vector")
 EVERYTHING = (*BELOW_API, "api", "backends", "libraries", "runtime", "grading", "stubs")
 
 # The longest name that fits a module is the one that holds.
@@ -34,15 +34,18 @@ RULES = {
     "data": Rule(theirs=("numpy",)),
     "geometry": Rule(("core",), ("numpy",)),
     "imaging": Rule(("core",), ("numpy",)),
+    "glsl": Rule(("core",)),
     "draw": Rule(("core", "geometry"), ("numpy",)),
     "backends": Rule(),
     "backends.listing": Rule(("core", "geometry", "draw"), ("numpy",)),
     "backends.cpu": Rule(("core", "geometry", "draw"), ("numpy",), late=("numba",)),
-    "backends.gl": Rule(("core", "geometry", "draw"), ("numpy", "moderngl"), late=("glfw",)),
+    "backends.gl": Rule(
+        ("core", "geometry", "draw", "glsl"), ("numpy", "moderngl"), late=("glfw",)
+    ),
     "assets": Rule(
         ("core", "geometry", "draw.resources"),
         ("numpy", "PIL", "font_source_sans_pro"),
-        late=("PIL", "svgelements", "trimesh", "OpenEXR", "uharfbuzz"),
+        late=("PIL", "svgelements", "OpenEXR", "uharfbuzz"),
     ),
     "vector": Rule(("core", "geometry", "draw", "assets"), ("numpy", "pydyf")),
     "api": Rule(BELOW_API, ("numpy",)),

@@ -5,12 +5,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from sketchkit.assets.paths import set_sketch_folder, sketch_folder
 from sketchkit.backends.cpu.executor import CpuBackend
 from sketchkit.backends.gl.executor import GlBackend
 from sketchkit.backends.listing import ListingBackend
@@ -21,10 +23,20 @@ from sketchkit.runtime.headless import render as runtime_render
 from tests.canvases import new_canvas
 from tests.goldens import Goldens
 from tests.scenes import SCENES, TOPICS, Scene, registry
-from tests.scenes.make_processing_goldens import sketch_of
+from tests.scenes.make_processing_goldens import write
 
 GL_SHARE = 1 - 1 / 2000
 PROCESSING_TOLERANCE = 2
+
+
+@pytest.fixture(autouse=True)
+def _folder_of_scenes() -> Iterator[None]:
+    """Let scenes find their files."""
+    before = sketch_folder()
+    set_sketch_folder(registry.FOLDER)
+    yield
+    set_sketch_folder(before)
+
 
 every_scene = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 
@@ -98,8 +110,8 @@ def test_gl_agrees_with_processing(scene: Scene, goldens: Goldens, gl_backend: G
 
 @every_scene
 def test_scene_as_a_sketch_draws_the_same(scene: Scene, tmp_path: Path) -> None:
-    sketch = tmp_path / "sketch.py"
-    sketch.write_text(sketch_of(scene), encoding="utf-8")
+    write(tmp_path, [scene])
+    sketch = tmp_path / f"{scene.name}.py"
 
     (frame,) = runtime_render(Launch(sketch, refuse), [1], CpuBackend())
 

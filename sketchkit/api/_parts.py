@@ -5,7 +5,9 @@ The groups of methods (`shapes2d.py`, `transforms.py`, ...) add methods to them,
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Protocol
+from weakref import WeakSet
 
 import numpy as np
 
@@ -17,12 +19,21 @@ from sketchkit.core.matrix import IDENTITY, Affine
 from sketchkit.core.style import NO_COLOR, SavedStyle, Typography
 from sketchkit.draw.commands import Upload
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row0
-from sketchkit.draw.renderer import Renderer
+from sketchkit.draw.renderer import RecordsRows, Renderer
 from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.shading import BUILT_IN, Shading, Shadings
 from sketchkit.draw.stage import Stage
 
 BACKDROP = 0xFFCCCCCC  # what a window shows before the first background()
 TRANSPARENT = 0  # what a canvas out of sight shows
+
+
+class HasShading(Protocol):
+    """A shader."""
+
+    _canvases: WeakSet[RecordsRows]
+
+    def _shading(self) -> Shading: ...
 
 
 class CanvasParts(Pen):
@@ -30,8 +41,10 @@ class CanvasParts(Pen):
 
     Attributes
     ----------
+    _shaders : dict of str to PShader
+        Those in force, by what they draw: `Shadings`' names.
     _camera : Affine
-        The modelview with which a frame or `beginCamera()` begins.
+        The modelview with which a frame begins.
     _own : Pixels
         A copy of what was drawn, always the same array as long as the size stays.
     _pixels : PixelArray
@@ -60,6 +73,7 @@ class CanvasParts(Pen):
     _is_offscreen: bool
     _is_drawing: bool
     _when_drawn: list[Callable[[], None]]
+    _shaders: Mapping[str, HasShading]
     _own: Pixels
     _pixels: PixelArray
     _is_read: bool
@@ -81,6 +95,7 @@ class CanvasParts(Pen):
         self._has_drawn = self._was_cleared = self._is_layered = False
         self._is_offscreen = self._is_drawing = False
         self._when_drawn = []
+        self._shaders = {}
         self._own = blank_pixels(target)
         self._pixels = PixelArray(self._own)
         self._is_read = self._is_set = False
@@ -90,6 +105,19 @@ class CanvasParts(Pen):
     def forget_state(self) -> None:
         """Give up indices into the recorder: it has been cleared."""
         self._state = self._attributes = -1
+
+    def _note_state(self) -> int:
+        """Keep style, stage and matrix as they are now, with the shaders' values."""
+        if self._shaders:
+            self._follow_shaders()
+        return super()._note_state()
+
+    def _follow_shaders(self) -> None:
+        """Let the stage have the shaders in force, with the values that they have now."""
+        chosen = {slot: shader._shading() for slot, shader in self._shaders.items()}
+        shadings = Shadings(**chosen) if chosen else BUILT_IN
+        if shadings != self._stage.shadings:
+            self._restage(shadings=shadings)
 
     def take_upload(self) -> Upload | None:
         """Return the pixels that the sketch has set since they were last taken, if any."""

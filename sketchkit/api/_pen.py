@@ -5,7 +5,7 @@ The groups of methods (`paint.py`, `vertices.py`, ...) add methods to it, never 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from types import TracebackType
@@ -17,7 +17,14 @@ from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.lights import Vector3
 from sketchkit.core.matrix import IDENTITY, Affine
 from sketchkit.core.style import NO_COLOR, Style
-from sketchkit.draw.recorder import Attributes, CurveRun, PackError, Recorder
+from sketchkit.draw.recorder import (
+    NO_CUSTOM,
+    Attributes,
+    CurveRun,
+    Custom,
+    PackError,
+    Recorder,
+)
 from sketchkit.draw.resources import Texture
 from sketchkit.draw.stage import Stage
 
@@ -116,6 +123,7 @@ class Pen:
     _curve_tightness: float
     _bezier_detail: int
     _shape: OpenShape | None
+    _custom: Mapping[str, Custom]
 
     def __init__(self, recorder: Recorder, stage: Stage) -> None:
         self._recorder = recorder
@@ -131,6 +139,7 @@ class Pen:
         self._curve_detail = self._bezier_detail = 20
         self._curve_tightness = 0.0
         self._shape = None
+        self._custom = NO_CUSTOM
 
     def _note_state(self) -> int:
         """Keep style, stage and matrix as they are now, for the rows that follow."""
@@ -153,7 +162,8 @@ class Pen:
                 hint="Write beginShape() before the first vertex.",
             )
         entries = self._recorder.attributes
-        entries.append(Attributes(self._normal, self._style.material, self._weight))
+        material = self._style.material
+        entries.append(Attributes(self._normal, material, self._weight, self._custom))
         self._attributes = len(entries) - 1
 
     def _restyle(self, field_name: str, value: object) -> None:

@@ -54,7 +54,7 @@ class Canvas(Protocol):
         ...
 
     def begin_frame(self, *, is_looping: bool = True) -> None:
-        """Put back matrix, camera and lights."""
+        """Put back matrix and lights."""
         ...
 
     def end_frame(self) -> None:

@@ -11,6 +11,7 @@ from sketchkit.core import matrix as mat
 from sketchkit.core.errors import SketchError, shown, wrong_numbers
 from sketchkit.core.float32 import f32
 from sketchkit.core.notices import warn_once
+from sketchkit.draw.recorder import Kind
 
 FIELD_OF_VIEW = f32(60 * f32(f32(math.pi) / 180))  # radians, as Processing rounds it
 PERSPECTIVE_USAGE = "fov, aspect, near, far"
@@ -41,7 +42,7 @@ HINTS = [value for name, value in vars(c).items() if name.startswith(("DISABLE_"
 
 
 class Camera(CanvasParts):
-    """The camera is put back at each frame, the projection is not."""
+    """Camera and projection stay from frame to frame, until they are set again."""
 
     def camera(self, *numbers: float) -> None:
         """Place the camera; without numbers, back to its default place.
@@ -63,8 +64,8 @@ class Camera(CanvasParts):
         Notes
         -----
         At first the eye stands before the middle of the canvas, so far away that z = 0 is shown
-        in its own size. Source: Processing's reference, camera(); the course guide's chapter on
-        cameras.
+        in its own size. The camera stays in force from frame to frame. Source: Processing's
+        reference, camera(); the course guide's chapter on cameras.
 
         Examples
         --------
@@ -112,8 +113,6 @@ class Camera(CanvasParts):
         >>> translate(50, 50)
         >>> box(40)
         """
-        self._modelview = self._camera
-        self._state = -1
         return Block(self.endCamera)
 
     def endCamera(self) -> None:
@@ -300,7 +299,9 @@ class Camera(CanvasParts):
         self._restage(**changes)
         if "stroke_perspective" in changes:
             # Processing draws the strokes that are waiting with the new value, not with the old.
-            self._recorder.replace_stage(old, self._stage)
+            # Retained shapes never wait, nor does what came before them.
+            waiting = self._recorder.first_state_after(Kind.MESH)
+            self._recorder.replace_stage(old, self._stage, waiting)
             self._restage()
 
     def screenX(self, x: float, y: float, z: float = 0.0) -> float:

@@ -9,6 +9,7 @@ from sketchkit.api._pen import OpenShape
 from sketchkit.api.vertices import Vertices
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError
+from sketchkit.draw.given_vertices import steps
 from sketchkit.draw.recorder import (
     CORNER,
     CORNER_DTYPE,
@@ -17,7 +18,6 @@ from sketchkit.draw.recorder import (
     pack_uv,
     unpack_place,
 )
-from sketchkit.geometry.curves import bezier_points, quadratic_to_cubic, spline_points
 
 
 class CurveVertices(Vertices):
@@ -50,7 +50,7 @@ class CurveVertices(Vertices):
         shape = self._curved("bezierVertex")
         points = self._points("bezierVertex", numbers, 3, "x2, y2, x3, y3, x4, y4")
         start = self._last_place(shape, "bezierVertex")
-        self._add_bezier(np.vstack([start, points]))
+        self._add_curve(np.vstack([start, points]), self._bezier_detail)
 
     def quadraticVertex(self, *numbers: float) -> None:
         """Add a quadratic Bezier curve from the last vertex on.
@@ -69,9 +69,9 @@ class CurveVertices(Vertices):
         >>> endShape()
         """
         shape = self._curved("quadraticVertex")
-        control, end = self._points("quadraticVertex", numbers, 2, "cx, cy, x3, y3")
+        points = self._points("quadraticVertex", numbers, 2, "cx, cy, x3, y3")
         start = self._last_place(shape, "quadraticVertex")
-        self._add_bezier(quadratic_to_cubic(start, control, end))
+        self._add_curve(np.vstack([start, points]), self._bezier_detail)
 
     def curveVertex(self, *numbers: float) -> None:
         """Add a point of a spline; the first and the last only steer it.
@@ -101,9 +101,7 @@ class CurveVertices(Vertices):
             self._add_corners(np.array(shape.spline[1:2]))
         if len(shape.spline) > 3:
             control = np.array(shape.spline[-4:])
-            tightness = self._curve_tightness
-            self._note_curve(shape, self._curve_detail, control, tightness)
-            self._add_corners(spline_points(control, self._curve_detail, tightness))
+            self._add_curve(control, self._curve_detail, self._curve_tightness)
 
     def bezierDetail(self, detail: int) -> None:
         """Set how many lines a Bezier curve is made of; at first 20.
@@ -153,21 +151,14 @@ class CurveVertices(Vertices):
             )
         return np.array(unpack_place(recorder.corners, recorder.corner_end - CORNER))
 
-    def _add_bezier(self, control: NDArray[np.float64]) -> None:
-        """Add the steps of a curve, (4, 3), after its start."""
-        self._note_curve(self._open("vertex"), self._bezier_detail, control)
-        self._add_corners(bezier_points(control, self._bezier_detail))
-
-    def _note_curve(
-        self,
-        shape: OpenShape,
-        count: int,
-        control: NDArray[np.float64],
-        tightness: float | None = None,
+    def _add_curve(
+        self, control: NDArray[np.float64], count: int, tightness: float | None = None
     ) -> None:
-        """Remember the curve that the next corners are steps of, for files that have curves."""
+        """Add the steps of a curve after its start, and remember what they were made from."""
+        shape = self._open("vertex")
         first = (self._recorder.corner_end - shape.first) // CORNER
         shape.curves.append(CurveRun(first, count, control, tightness))
+        self._add_corners(steps(shape.curves[-1]))
 
     def _add_corners(self, points: NDArray[np.float64]) -> None:
         """Add many corners, (n, 3), in the current colours."""

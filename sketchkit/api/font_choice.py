@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 from sketchkit.api.pfont import PFont
 from sketchkit.api.typesetting import FIRST_SIZE, Typesetting
-from sketchkit.assets.letters import BITMAPS, OUTLINES, check_font
+from sketchkit.assets.fonts.letters import BITMAPS, OUTLINES, check_font
+from sketchkit.assets.fonts.system_fonts import font_file
 from sketchkit.assets.paths import find_file
-from sketchkit.assets.system_fonts import font_file
 from sketchkit.core.errors import SketchError, shown
 from sketchkit.core.notices import warn_once
 from sketchkit.core.style import Typeface

@@ -7,19 +7,21 @@ from collections.abc import Callable
 from sketchkit.api._parts import BACKDROP, TRANSPARENT
 from sketchkit.api._pen import Block
 from sketchkit.api._sketch_parts import SMOOTH_SAMPLES
+from sketchkit.api.attribs import Attribs
 from sketchkit.api.camera import Camera
 from sketchkit.api.color import Color
 from sketchkit.api.curves import Curves
 from sketchkit.api.lights import Lights
 from sketchkit.api.materials import Materials
-from sketchkit.api.pixels import CanvasPixels
+from sketchkit.api.pimage import PImage
+from sketchkit.api.shaders import Shaders
 from sketchkit.api.shapes import RetainedShapes
 from sketchkit.api.shapes2d import Shapes2D
 from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.stacks import Stacks
 from sketchkit.api.text import Text
 from sketchkit.api.textures import Textures
-from sketchkit.core.constants import FX2D, JAVA2D, P3D
+from sketchkit.core.constants import ARGB, FX2D, JAVA2D, P3D
 from sketchkit.draw.commands import Settling
 from sketchkit.draw.recorder import Kind
 from sketchkit.draw.renderer import Reader
@@ -37,10 +39,11 @@ class PGraphics(
     Curves,
     RetainedShapes,
     Textures,
+    Attribs,
     Shapes3D,
     Camera,
     Text,
-    CanvasPixels,
+    Shaders,
 ):
     """A surface to draw on; the window's is one of them."""
 
@@ -100,8 +103,9 @@ class PGraphics(
 
         Notes
         -----
-        Matrix, camera and lights begin anew each time; the style stays, and so does the picture
-        until `background()` or `clear()`. Source: Processing's reference, PGraphics.beginDraw().
+        Matrix and lights begin anew each time; camera, projection and style stay, and so does the
+        picture until `background()` or `clear()`. Source: Processing's reference,
+        PGraphics.beginDraw().
 
         Examples
         --------
@@ -142,6 +146,18 @@ class PGraphics(
         >>> pg.dispose()
         """
 
+    def save(self, filename: str) -> None:
+        """Write the picture to a file beside the sketch; its ending says the kind.
+
+        Examples
+        --------
+        >>> pg = createGraphics(60, 60, P2D)
+        >>> with pg.beginDraw():
+        ...     pg.circle(30, 30, 40)
+        >>> pg.save("disc.png")
+        """
+        PImage._of(self.image_data(), ARGB).save(filename)
+
     def when_drawn(self, call: Callable[[], None]) -> None:
         """Have `call` called at each `endDraw()`."""
         self._when_drawn.append(call)
@@ -172,19 +188,20 @@ class PGraphics(
         return self._target
 
     def begin_frame(self, *, is_looping: bool = True) -> None:
-        """Put back what does not last from frame to frame: matrix, camera, lights, normal.
+        """Put back what does not last from frame to frame: matrix, lights, normal.
 
         `is_looping` says whether `draw()` is called again and again.
         """
         self._matrices.clear()
         self._normal = (0.0, 0.0, 1.0)
         self._light_falloff, self._light_specular = (1.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-        self._place_camera(self._default_camera())
+        self._place_camera(self._camera)
         if self._stage.lights is not None:
             self._restage(lights=None)
-        how = self._settling(is_looping=is_looping)
+        if not self._is_offscreen:  # on others everything stays as it is, samples and depth too
+            how = self._settling(is_looping=is_looping)
+            self._pack_whole(Kind.SETTLE, link=list(Settling).index(how))
         self._has_drawn, self._was_cleared = True, False
-        self._pack_whole(Kind.SETTLE, link=list(Settling).index(how))
 
     def _settling(self, *, is_looping: bool) -> Settling:
         """Return what becomes of the old picture as a frame begins, as in Processing.
@@ -197,7 +214,7 @@ class PGraphics(
         """
         if self._stage.is_java2d:
             return Settling.KEEP  # it draws into one image for ever
-        if self._is_layered or (self._is_offscreen and self._has_drawn):
+        if self._is_layered:
             return Settling.MEAN
         if is_looping and (self._was_cleared or not self._has_drawn):
             return Settling.KEEP

@@ -8,7 +8,7 @@ from sketchkit.api._parts import BACKDROP, WHITE, CanvasParts
 from sketchkit.api.color import ColorLike
 from sketchkit.api.pimage import PImage
 from sketchkit.api.vertices import pixels_of
-from sketchkit.assets.images import EXTENSIONS
+from sketchkit.assets.pictures.images import EXTENSIONS
 from sketchkit.core.color import pack
 from sketchkit.core.constants import CENTER, CORNERS
 from sketchkit.core.errors import SketchError, shown

@@ -8,9 +8,9 @@ from typing import NamedTuple
 from sketchkit.api.images import IMAGE, Images
 from sketchkit.api.typesetting import Typesetting
 from sketchkit.api.vertices import Vertices
-from sketchkit.assets.fonts import LARGEST, NOTICEABLE, Face, Line, enlarged_size, fonts_of
-from sketchkit.assets.glyph_outlines import rings, whole_parts
-from sketchkit.assets.letters import letters_of
+from sketchkit.assets.fonts.faces import LARGEST, NOTICEABLE, Face, Line, enlarged_size, fonts_of
+from sketchkit.assets.fonts.glyph_outlines import rings, whole_parts
+from sketchkit.assets.fonts.letters import letters_of
 from sketchkit.core.constants import CENTER, CLOSE, LEFT, RIGHT, SHAPE
 from sketchkit.core.float32 import ROUND, f32
 from sketchkit.core.matrix import IDENTITY, scale, translate

@@ -1,14 +1,14 @@
 """Models of files as shapes that are kept: a group of faces, as in Processing.
 
 Faces become shapes of their own only when the sketch asks for them. Until then, and as long as none
-of them is changed, all faces of one kind and material are one shape.
+of them is changed, all faces of one material are one shape.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +18,9 @@ from sketchkit.api._pen import WHITE
 from sketchkit.api.pimage import PImage
 from sketchkit.api.pshape import PShape
 from sketchkit.api.pshape_parts import Family
-from sketchkit.assets.images import Picture, load_picture
-from sketchkit.assets.model_data import ModelMaterial, ModelPart
-from sketchkit.assets.models import load_model
+from sketchkit.assets.models.data import ModelMaterial, ModelPart
+from sketchkit.assets.models.loading import load_model
+from sketchkit.assets.pictures.images import Picture, load_picture
 from sketchkit.core import constants as c
 from sketchkit.core.matrix import IDENTITY
 from sketchkit.draw.resources import Pixels
@@ -61,23 +61,6 @@ def _picture_of(texture: Path | Pixels) -> Picture:
     return Picture(texture.data) if isinstance(texture, Pixels) else load_picture(texture)
 
 
-class Faces(NamedTuple):
-    """Faces of one part with the same number of corners.
-
-    Attributes
-    ----------
-    kind : int
-        Of `beginShape()`.
-    corners : (f, k) int64
-        Those of each face, in the part.
-    """
-
-    part: ModelPart
-    image: PImage | None
-    kind: int
-    corners: I64
-
-
 class ModelShape(PShape):
     """A group of the faces of a model."""
 
@@ -85,14 +68,14 @@ class ModelShape(PShape):
         self._faces: list[Any] | None = None  # Any: a property cannot say Self
         super().__init__(canvas, Family.GROUP)
         self._faces = None
-        self._parts = parts
-        self._whole = [_leaf(canvas, faces) for part in parts for faces in _by_kind(*part)]
+        self._lengths = [part.lengths.tolist() for part, _ in parts]
+        self._whole = [_shape_of(canvas, part, image) for part, image in parts]
 
     @property
     def _children(self) -> list[Any]:  # Any: as above
         """The faces as shapes, made when first asked for."""
         if self._faces is None:
-            self._faces = list(self._unpacked())
+            self._faces = list(self._taken_out())
         return self._faces
 
     @_children.setter
@@ -101,77 +84,79 @@ class ModelShape(PShape):
 
     def getChildCount(self) -> int:
         """Return the number of faces."""
-        if self._faces is None:
-            return sum(len(part.lengths) for part, _ in self._parts)
-        return len(self._faces)
+        return sum(map(len, self._lengths)) if self._faces is None else len(self._faces)
+
+    def _members(self) -> list[Any]:  # Any: as above
+        return self._whole if self._faces is None else self._faces
 
     def _pieces(self) -> list[Any]:  # Any: as above
-        if self._faces is None or not self._is_taken_apart():
-            return self._whole
-        return self._faces
+        return self._members() if self._is_taken_apart() else self._whole
 
     def _is_taken_apart(self) -> bool:
-        """Return whether the sketch has changed a face, or added or removed one."""
-        faces = self._faces or []
-        count = sum(len(part.lengths) for part, _ in self._parts)
-        return len(faces) != count or any(
+        """Return whether the faces differ from what they were when they were first asked for."""
+        faces = self._members()
+        return len(faces) != sum(map(len, self._lengths)) or any(
             face._version or face._matrix is not IDENTITY for face in faces
         )
 
-    def _unpacked(self) -> Iterator[PShape]:
+    def _taken_out(self) -> Iterator[PShape]:
         """Yield each face as a shape, in the order of the file."""
-        for part, image in self._parts:
-            ends = np.cumsum(part.lengths)
-            for end, length in zip(ends.tolist(), part.lengths.tolist(), strict=True):
-                corners = np.arange(end - length, end)[None]
-                kind = KINDS.get(length, c.POLYGON)
-                face = _leaf(self._canvas, Faces(part, image, kind, corners))
+        for shape, lengths in zip(self._whole, self._lengths, strict=True):
+            first = 0
+            for length in lengths:
+                face = shape._cut_out(KINDS.get(length, c.POLYGON), first, length)
                 face._parent = self
                 yield face
+                first += length
 
 
-def _by_kind(part: ModelPart, image: PImage | None) -> Iterator[Faces]:
-    """Yield the faces of a part: all triangles, all quads, then polygons one by one."""
-    starts = np.cumsum(part.lengths) - part.lengths
-    for length in np.unique(part.lengths).tolist():
-        own = starts[part.lengths == length]
-        corners = own[:, None] + np.arange(length)
-        if length in KINDS:
-            yield Faces(part, image, KINDS[length], corners)
-        else:
-            for row in corners:
-                yield Faces(part, image, c.POLYGON, row[None])
-
-
-def _leaf(canvas: CanvasParts, faces: Faces) -> PShape:
-    """Return faces as one shape, in the look of their material.
+def _shape_of(canvas: CanvasParts, part: ModelPart, image: PImage | None) -> PShape:
+    """Return all faces of a part as one shape, in the look of their material.
 
     As in Processing, the diffuse colour is the fill, and its colour in ambient light too; a
     textured face shows its image in the sketch's tint. Nothing else of a material shows.
     """
-    part, index = faces.part, faces.corners.ravel()
     shape = PShape(canvas, Family.GEOMETRY)
     shape._stroke = min(shape._stroke, ~shape._stroke)
     shape._fill = _packed(part.material)
     shape._texture_mode = c.NORMAL
-    colors = None
-    if faces.image is not None:
-        colors = np.full(len(index), WHITE if shape._tint < 0 else shape._tint)
-    elif part.colors is not None:
-        colors = pack_rgba(part.colors[index])
-    normals = None
-    if part.normals is not None:
-        normals = part.normals[index].copy()
-        normals[~normals.any(axis=1)] = (0.0, 0.0, 1.0)
-    uvs = None if part.uvs is None else part.uvs[index]
-    if faces.image is not None and uvs is None:
-        uvs = np.zeros((len(index), 2), np.float32)
-    texture = None if faces.image is None else faces.image._texture()
-    corners = BulkCorners(part.places[index], colors, normals, uvs)
-    shape._fill_in_bulk(faces.kind, corners, texture, is_closed=True)
-    shape._texture_source = faces.image
-    shape._version = 0
+    shape._texture_source = image
+    weight = shape._weight
+    shape._put_corners(_corners_of(part, shape._tint if image is not None else None), "fill")
+    shape._weight = weight
+    texture = None if image is None else image._texture()
+    for length, first, count in _alike(part.lengths):
+        kind = KINDS.get(length, c.POLYGON)
+        shape._put_run(kind, first, count, texture, is_closed=True)
     return shape
+
+
+def _corners_of(part: ModelPart, tint: int | None) -> BulkCorners:
+    """Return the corners of all faces; those with a texture have a tint for colour."""
+    count = len(part.places)
+    colors, normals, uvs = None, part.normals, part.uvs
+    if tint is not None:
+        colors = np.full(count, WHITE if tint < 0 else tint)
+        uvs = np.zeros((count, 2), np.float32) if uvs is None else uvs
+    elif part.colors is not None:
+        colors = pack_rgba(part.colors)
+    if normals is not None:
+        normals = np.where(normals.any(axis=1, keepdims=True), normals, (0.0, 0.0, 1.0))
+    # What has no stroke when it is made has a weight of 0 in Processing, until it gets another.
+    return BulkCorners(part.places, colors, normals, uvs, np.zeros(count, np.float32))
+
+
+def _alike(lengths: I64) -> Iterator[tuple[int, int, int]]:
+    """Yield length, first corner and number of corners of faces that can be drawn as one.
+
+    These are triangles, or quads, that follow one another; any other face is alone.
+    """
+    starts = np.cumsum(lengths) - lengths
+    begins = np.append(True, (np.diff(lengths) != 0) | ~np.isin(lengths[1:], list(KINDS)))
+    rows = np.flatnonzero(begins)
+    ends = np.append(starts[rows[1:]], lengths.sum())
+    for row, end in zip(rows.tolist(), ends.tolist(), strict=True):
+        yield int(lengths[row]), int(starts[row]), int(end - starts[row])
 
 
 def _packed(material: ModelMaterial) -> int:

@@ -17,13 +17,15 @@ from sketchkit.api.overlaps import opener, overlaps
 from sketchkit.api.pfont import PFont
 from sketchkit.api.pimage import PImage
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
+from sketchkit.api.pshader import PShader
 from sketchkit.api.pshape import PShape
 from sketchkit.api.pvector import PVector
 from sketchkit.api.sketch import Sketch
 from sketchkit.core import constants
 
 CLASSES: tuple[type, ...] = (
-    *(KeyEvent, MouseEvent, PFont, PImage, PMatrix2D, PMatrix3D, PShape, PSurface, PVector),
+    *(KeyEvent, MouseEvent, PFont, PImage, PMatrix2D, PMatrix3D, PShader, PShape, PSurface),
+    PVector,
 )
 
 Names = dict[str, object]

@@ -10,10 +10,10 @@ import numpy as np
 from sketchkit.api._parts import CanvasParts
 from sketchkit.api.pshape import PShape, new_shape
 from sketchkit.api.pvector import PVector
-from sketchkit.assets.fonts import design_size
-from sketchkit.assets.glyph_outlines import rings, spaced, whole_parts
-from sketchkit.assets.letters import letters_of
-from sketchkit.assets.system_fonts import font_names
+from sketchkit.assets.fonts.faces import design_size
+from sketchkit.assets.fonts.glyph_outlines import rings, spaced, whole_parts
+from sketchkit.assets.fonts.letters import letters_of
+from sketchkit.assets.fonts.system_fonts import font_names
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.style import Typeface

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from sketchkit.api.pixel_access import PixelAccess, whole
 from sketchkit.api.pixel_array import PixelArray
 from sketchkit.api.pixel_effects import PixelEffects
-from sketchkit.assets.images import Picture, load_image, to_bytes
 from sketchkit.assets.output import picture_bytes, write_file
 from sketchkit.assets.paths import sketch_folder
-from sketchkit.assets.radiance import radiance_bytes
+from sketchkit.assets.pictures.images import Picture, load_image, to_bytes
+from sketchkit.assets.pictures.radiance import radiance_bytes
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, shown
 from sketchkit.draw.resources import Pixels

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import ClassVar
+from typing import ClassVar, Protocol, Self, cast
 
 from sketchkit.api._parts import CanvasParts
 from sketchkit.api._pen import Block, OpenShape
+from sketchkit.api.attribs import Attribs
 from sketchkit.api.color import Color
 from sketchkit.api.curve_vertices import CurveVertices
 from sketchkit.api.materials import Materials
+from sketchkit.api.paint import check_choice
+from sketchkit.api.pshape_attribs import ShapeAttribs
+from sketchkit.api.pshape_codes import ShapeCodes
 from sketchkit.api.pshape_looks import ShapeLooks
 from sketchkit.api.pshape_measures import ShapeMeasures
 from sketchkit.api.pshape_parts import Family
@@ -24,16 +28,27 @@ from sketchkit.core.errors import SketchError, either, shown, wrong_numbers
 from sketchkit.draw.recorder import CORNER
 
 
+class Draws(Protocol):
+    """A canvas."""
+
+    def shape(self, shape: PShape, *place: float) -> None:
+        """Draw a shape."""
+        ...
+
+
 class PShape(
     ShapeTree,
     ShapeTransforms,
     ShapeLooks,
     ShapeVertices,
+    ShapeCodes,
     ShapeMeasures,
+    ShapeAttribs,
     Color,
     Materials,
     CurveVertices,
     Textures,
+    Attribs,
 ):
     """A drawing that is kept: made once, drawn often, with `shape()`.
 
@@ -110,6 +125,7 @@ class PShape(
         >>> shape(s)
         """
         super().endShape(mode)
+        self._unweigh_bare_corners()
         self._expand_anew()
 
     def texture(self, image: object) -> None:
@@ -143,6 +159,84 @@ class PShape(
         super().noTexture()
         self._texture_source = None
 
+    def end(self, mode: int | None = None) -> None:
+        """End the shape: the older name of `endShape()`.
+
+        Examples
+        --------
+        >>> s = createShape()
+        >>> s.beginShape()
+        >>> s.vertex(20, 80)
+        >>> s.vertex(50, 15)
+        >>> s.vertex(80, 80)
+        >>> s.end(CLOSE)
+        >>> shape(s)
+        """
+        self.endShape(mode)
+
+    def draw(self, canvas: Draws) -> None:
+        """Draw the shape on a canvas: the same as `canvas.shape(s)`.
+
+        Examples
+        --------
+        >>> s = createShape(RECT, 20, 20, 60, 60)
+        >>> s.draw(g)
+        """
+        canvas.shape(self)
+
+    def getParams(self) -> list[float]:
+        """Return the numbers that `createShape()` was given with the kind.
+
+        Examples
+        --------
+        >>> print(createShape(RECT, 20, 20, 60, 60).getParams())
+        [20, 20, 60, 60]
+        """
+        return []
+
+    def getParam(self, index: int) -> float:
+        """Return one of the numbers that `createShape()` was given with the kind.
+
+        Examples
+        --------
+        >>> print(createShape(RECT, 20, 20, 60, 40).getParam(3))
+        40
+        """
+        params = self.getParams()
+        if not 0 <= index < len(params):
+            raise SketchError(f"The shape was made of {len(params)} numbers.", got=str(index))
+        return params[index]
+
+    def beginTessellation(self, kind: int = c.TRIANGLES) -> None:
+        """Turn the shape into the triangles that it is drawn with, to be changed one by one.
+
+        Parameters
+        ----------
+        kind : TRIANGLES
+            Of what is changed; outlines are dropped.
+
+        Examples
+        --------
+        >>> noStroke()
+        >>> s = createShape(ELLIPSE, 50, 50, 60, 60)
+        >>> s.beginTessellation()
+        >>> for i in range(0, s.getVertexCount(), 3):
+        ...     s.setFill(i, color(255, i % 255, 0))
+        >>> s.endTessellation()
+        >>> shape(s)
+        """
+        check_choice("beginTessellation", kind, {c.TRIANGLES: "TRIANGLES"})
+        for leaf in self._leaves():
+            leaf._become_triangles()
+
+    def endTessellation(self) -> None:
+        """End the changes that `beginTessellation()` began.
+
+        Examples
+        --------
+        See `beginTessellation()`.
+        """
+
     def isClosed(self) -> bool:
         """Return whether the outline leads back to the first vertex.
 
@@ -150,9 +244,18 @@ class PShape(
         --------
         >>> s = createShape()
         >>> s.beginShape()
+        >>> s.vertex(20, 20)
+        >>> s.vertex(80, 40)
+        >>> s.vertex(40, 80)
         >>> s.endShape(CLOSE)
+        >>> print(s.isClosed())
+        True
         """
         return any(run.is_closed for run in self._recorder.shapes)
+
+    def _new(self, family: Family) -> Self:
+        """Return another shape of the same canvas, in which nothing is yet: no primitive."""
+        return cast("Self", PShape(self._canvas, family))
 
     def _begin_uvs(self, shape: OpenShape) -> None:
         """Keep texture coordinates in any case: a texture may come later."""
@@ -185,6 +288,10 @@ class PrimitiveShape(PShape, Shapes2D, Shapes3D):
         call(self, *params)
         self._kind = kind  # a rounded rectangle is a polygon to begin with
 
+    def getParams(self) -> list[float]:
+        """Return the numbers that it was made of."""
+        return list(self._params)
+
     def __repr__(self) -> str:
         return f"<PShape: {PRIMITIVES[self._kind][0].__name__}>"
 
@@ -214,7 +321,7 @@ def new_shape(canvas: CanvasParts, args: Sequence[object]) -> PShape:
     if not params and kind in (PShape.GEOMETRY, PShape.PATH, c.GROUP, c.PATH):
         families = {PShape.GEOMETRY: Family.GEOMETRY, c.GROUP: Family.GROUP}
         return PShape(canvas, families.get(kind, Family.PATH))
-    if kind not in PRIMITIVES:
+    if kind not in tuple(PRIMITIVES):  # it may be anything, and then it has no hash
         raise SketchError(
             f"createShape() takes nothing, GROUP, or {either(KIND_NAMES)} and its numbers.",
             got=shown(kind),

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from sketchkit.api.pshape_parts import Family, ShapeParts
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, kind_of, shown
-from sketchkit.draw.recorder import CORNER, UV, Attributes, pack_uv, unpack_place
+from sketchkit.draw.given_vertices import corner_of, given_places, with_given
+from sketchkit.draw.recorder import CORNER, UV, Attributes, ShapeRun, pack_uv, unpack_place
 from sketchkit.draw.resources import Texture
 from sketchkit.draw.retain import Quality
 from sketchkit.draw.vertex import Layer, VertexBlock
@@ -32,7 +33,36 @@ class ShapeCorners(ShapeParts):
                 f"{caller}() with an index is for shapes made with beginShape().",
                 hint="getTessellation() makes such a shape of any other.",
             )
-        return self._checked(caller, index, self._recorder.corner_end // CORNER)
+        given = self._checked(caller, index, self._vertex_count())
+        run = self._curved_run
+        return given if run is None else corner_of(run, self._corner_places(), given)
+
+    @property
+    def _curved_run(self) -> ShapeRun | None:
+        """What is recorded, if it has curves: its corners are not the vertices given then."""
+        runs = self._recorder.shapes
+        return runs[0] if len(runs) == 1 and runs[0].curves else None
+
+    def _vertex_count(self) -> int:
+        run = self._curved_run
+        if run is None:
+            return self._recorder.corner_end // CORNER
+        return len(given_places(run, self._corner_places()))
+
+    def _corner_places(self) -> NDArray[np.float32]:
+        """Return the places of all corners, (n, 3)."""
+        places: NDArray[np.float32] = self._recorder.corner_array()["place"]
+        return places
+
+    def _move_given(self, index: int, place: Triple) -> None:
+        """Move a vertex of a shape with curves, and the curves with it."""
+        run = self._curved_run
+        assert run is not None
+        places = self._corner_places()
+        given = given_places(run, places)
+        given[index] = place
+        self._recorder.shapes[0], places[:] = with_given(run, places, given)
+        self._expand_anew()
 
     def _checked(self, caller: str, index: float, count: int) -> int:
         try:
@@ -59,17 +89,15 @@ class ShapeCorners(ShapeParts):
             return np.zeros((0, 3), np.float32)
         return block.positions[block.sources >= 0]
 
-    def _given_places(self) -> NDArray[np.float32]:
-        """Return all corners, (n, 3); of a primitive, the vertices that it is made of."""
-        if self._is_primitive:
-            return self._made_places()
-        places: NDArray[np.float32] = self._recorder.corner_array()["place"]
-        return places
-
     def _place(self, caller: str, index: int) -> Triple:
         if self._is_primitive:
             places = self._made_places()
             x, y, z = places[self._checked(caller, index, len(places))].tolist()
+            return x, y, z
+        run = self._curved_run
+        if run is not None:
+            given = given_places(run, self._corner_places())
+            x, y, z = given[self._checked(caller, index, len(given))].tolist()
             return x, y, z
         corner = self._corner_index(caller, index)
         x, y, z = unpack_place(self._recorder.corners, corner * CORNER)
@@ -163,6 +191,19 @@ class ShapeCorners(ShapeParts):
             used, table["attributes"] = np.unique(table["attributes"], return_inverse=True)
             entries[:] = [entries[i] for i in used]
 
+    def _unweigh_bare_corners(self) -> None:
+        """Give corners that came without a stroke no weight, in 3D.
+
+        As in Processing, a stroke that is switched on later does not show there until
+        `setStrokeWeight()` says how wide it is.
+        """
+        table, entries = self._recorder.corner_array(), self._recorder.attributes
+        is_bare = table["stroke"] < 0
+        if not self._stage.is_3d or not is_bare.any():
+            return
+        table["attributes"][is_bare] += len(entries)
+        entries += [entry._replace(weight=0.0) for entry in entries]
+
     def _all_attributes(self, **changes: object) -> None:
         entries = self._recorder.attributes
         entries[:] = [entry._replace(**changes) for entry in entries]  # type: ignore[arg-type] # the callers know
@@ -182,7 +223,7 @@ class ShapeCorners(ShapeParts):
     def _cover_with(self, texture: Texture | None) -> None:
         """Put a texture on everything that is recorded."""
         recorder, old = self._recorder, self._current_texture()
-        if self._is_primitive:
+        if self._is_primitive and not recorder.shapes:
             recorder.textures[:] = [] if texture is None else [texture]
             self._row_column("link", 0 if texture is None else 1)
             return

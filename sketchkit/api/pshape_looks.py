@@ -252,8 +252,8 @@ class ShapeLooks(ShapeMaterials):
         self._must_be_ended("disableStyle")
         self._put_aside = Look(self._fill, self._stroke, self._tint, self._weight, self._style)
         self._version += 1
-        for piece in self._pieces():
-            piece.disableStyle()
+        for member in self._members():
+            member.disableStyle()
 
     def enableStyle(self) -> None:
         """Take back the shape's own look, after `disableStyle()`.
@@ -269,8 +269,8 @@ class ShapeLooks(ShapeMaterials):
         if self._put_aside is not None and not self._is_group:
             self._wear(self._put_aside)
         self._put_aside = None
-        for piece in self._pieces():
-            piece.enableStyle()
+        for member in self._members():
+            member.enableStyle()
 
     def _wear_look_of(self, canvas: CanvasParts) -> None:
         """Take over the look of the sketch, after `disableStyle()`."""

@@ -9,6 +9,7 @@ import numpy as np
 from sketchkit.api.pshape_bulk import ShapeInBulk
 from sketchkit.api.pshape_parts import Family, Placed
 from sketchkit.core.errors import SketchError
+from sketchkit.core.matrix import multiply
 from sketchkit.draw.tessellation import BulkCorners, placed, tessellate_parts
 
 
@@ -153,18 +154,24 @@ class ShapeMeasures(ShapeInBulk):
 
     def _tree_parts(self) -> list[Placed]:
         """Return all parts of the tree, where they are drawn."""
-        return self._gathered(self._canvas)
+        self._settle()
+        around = self._surroundings()
+        parts = self._gathered(self._canvas)
+        return [(part, multiply(around, matrix)) for part, matrix in parts]
 
     def _made_of(self, kind: int, corners: BulkCorners) -> Self:
         shape = self._new(Family.GEOMETRY)
         shape._fill_in_bulk(kind, corners)
         return shape
 
-    def _new(self, family: Family) -> Self:
-        return type(self)._empty(self._canvas, family)
-
     def _extent(self) -> tuple[float, float, float]:
-        """Return the size of all vertices along x, y and z."""
+        """Return the size of all vertices along x, y and z.
+
+        In JAVA2D, everything in a file's shape has the size of the whole, as in Processing.
+        """
+        document = self._document()
+        if document is not None and self._canvas._stage.is_java2d:
+            return *document, 0.0
         boxes = []
         for part, matrix in self._tree_parts():
             block = part.mesh.blocks[part.layer]
@@ -175,3 +182,9 @@ class ShapeMeasures(ShapeInBulk):
             return 0.0, 0.0, 0.0
         width, height, depth = (np.max(boxes, axis=0) - np.min(boxes, axis=0)).tolist()
         return width, height, depth
+
+    def _document(self) -> tuple[float, float] | None:
+        """Return the size that the file names of which the shape is a part."""
+        if self._document_size is not None or self._parent is None:
+            return self._document_size
+        return self._parent._document()

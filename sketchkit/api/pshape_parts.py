@@ -63,7 +63,11 @@ class ShapeParts(Pen):
     _kind : int
         A constant of `beginShape()`, or of `createShape()`.
     _matrix : Affine
-        All transforms of the shape so far.
+        What takes the shape to its parent.
+    _own_steps : Affine
+        All its transforms so far: the same, but for those that came late (pshape_transforms.py).
+    _is_settled : bool
+        Of the root of a tree: whether the tree as it is now was drawn or measured.
     _texture_source : object or None
         The image that covers it, asked for its pixels at each drawing.
     _meshes : list of MeshPart or None
@@ -78,6 +82,8 @@ class ShapeParts(Pen):
         How often the sketch has changed more of it than its matrix.
     _batch : Batch or None
         Of a group of many small shapes: all of them in one mesh.
+    _is_read_path : bool
+        Whether it was a path in an SVG file: the codes of its vertices begin with BREAK.
     _document_size : (width, height) or None
         What the file says of which it was read.
     """
@@ -92,12 +98,15 @@ class ShapeParts(Pen):
     _children: list[Self]
     _names: dict[str, Self]
     _matrix: Affine
+    _own_steps: Affine
+    _is_settled: bool
     _is_visible: bool
     _texture_source: object | None
     _meshes: list[MeshPart] | None
     _edits: dict[Quality, set[int]]
     _repaints: dict[Quality, int]
     _put_aside: Look | None
+    _is_read_path: bool
     _document_size: tuple[float, float] | None
     _scale_at_first: float | None
 
@@ -109,8 +118,10 @@ class ShapeParts(Pen):
         self._name = self._parent = None
         self._children = []
         self._names = {}
-        self._matrix = IDENTITY
+        self._matrix = self._own_steps = IDENTITY
+        self._is_settled = False
         self._is_visible = True
+        self._is_read_path = False
         self._version = 0
         self._batch = None
         self._scale_at_first: float | None = None
@@ -134,12 +145,45 @@ class ShapeParts(Pen):
         """Yield the shapes of the tree that are no groups."""
         if not self._is_group:
             yield self
-        for piece in self._pieces():
-            yield from piece._leaves()
+        for member in self._members():
+            yield from member._leaves()
+
+    def _members(self) -> list[Self]:
+        """Return the shapes in a group, or what stands for them as long as nobody asked."""
+        return self._children
 
     def _pieces(self) -> list[Self]:
         """Return the shapes that a group is drawn with: its children, or what stands for them."""
         return self._children
+
+    def _surroundings(self) -> Affine:
+        """Return where the groups that the shape is in take it.
+
+        Processing's P2D and P3D draw a child there also if it is drawn alone; JAVA2D does not.
+        """
+        if self._parent is None or self._canvas._stage.is_java2d:
+            return IDENTITY
+        return multiply(self._parent._surroundings(), self._parent._matrix)
+
+    def _root(self) -> Self:
+        return self if self._parent is None else self._parent._root()
+
+    def _settle(self) -> None:
+        """Note that the tree is drawn or measured as it is now."""
+        self._root()._is_settled = True
+
+    def _unsettle(self) -> None:
+        """Note that the tree has other vertices, or other shapes: no transform is late any more."""
+        root = self._root()
+        if root._is_settled:
+            root._is_settled = False
+            root._realign()
+
+    def _realign(self) -> None:
+        """Have everything in the tree where its own transforms take it to its parent."""
+        self._matrix = self._own_steps
+        for piece in self._pieces():
+            piece._realign()
 
     def _must_be_ended(self, caller: str) -> None:
         """Refuse what makes sense only after `endShape()`."""
@@ -152,6 +196,7 @@ class ShapeParts(Pen):
     def _edit(self, quality: Quality, corner: int) -> None:
         """Note that a corner has another value."""
         self._version += 1
+        self._unsettle()
         if self._meshes is None:
             return
         if shows_corners(self._kind, quality):
@@ -169,6 +214,7 @@ class ShapeParts(Pen):
     def _expand_anew(self) -> None:
         """Have the mesh made again when the shape is next drawn."""
         self._version += 1
+        self._unsettle()
         self._meshes = None
         self._edits.clear()
         self._repaints.clear()

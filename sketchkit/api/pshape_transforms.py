@@ -1,4 +1,9 @@
-"""Moving, turning and stretching a shape for good: it stays so until `resetMatrix()`."""
+"""Moving, turning and stretching a shape for good: it stays so until `resetMatrix()`.
+
+In P2D and P3D Processing makes a tree of shapes into triangles when it is first drawn, and later
+transforms move these triangles: a late step of a child is done after those of the groups around it,
+until a change of vertices has the tree made anew. Only in a group that was moved itself it shows.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +17,7 @@ from sketchkit.core.errors import wrong_numbers
 
 
 class ShapeTransforms(ShapeParts):
-    """Transforms add up: each is done after those before it, about the origin of the shape."""
+    """Transforms add up: each is done after those before it; in JAVA2D, before them."""
 
     def translate(self, x: float, y: float, z: float = 0.0) -> None:
         """Move the shape, in pixels.
@@ -108,7 +113,7 @@ class ShapeTransforms(ShapeParts):
         >>> s.applyMatrix(0.8, -0.3, 40, 0.4, 0.9, 20)
         >>> shape(s)
         """
-        self._matrix = mat.multiply(affine_of("applyMatrix", source), self._matrix)
+        self._step(affine_of("applyMatrix", source))
 
     def resetMatrix(self) -> None:
         """Put the shape back to where and how it was made.
@@ -120,7 +125,15 @@ class ShapeTransforms(ShapeParts):
         >>> s.resetMatrix()
         >>> shape(s, 20, 20)
         """
-        self._matrix = mat.IDENTITY
+        undo = mat.inverse(self._own_steps)
+        is_late = undo is not None and (
+            self._matrix != self._own_steps or self._within_groups(undo) is not undo
+        )
+        if undo is not None and is_late:
+            self._matrix = mat.multiply(self._within_groups(undo), self._matrix)
+        else:
+            self._matrix = mat.IDENTITY
+        self._own_steps = mat.IDENTITY
 
     def _transform(
         self, name: str, operation: object, numbers: Sequence[float], usage: str
@@ -130,4 +143,20 @@ class ShapeTransforms(ShapeParts):
             step = operation(mat.IDENTITY, *numbers)  # type: ignore[operator] # one of core.matrix
         except TypeError:
             raise wrong_numbers(name, numbers, usage) from None
-        self._matrix = mat.multiply(step, self._matrix)
+        self._step(step)
+
+    def _step(self, step: mat.Affine) -> None:
+        """Do a transform after those so far."""
+        if self._canvas._stage.is_java2d:
+            self._matrix = self._own_steps = mat.multiply(self._matrix, step)
+            return
+        self._own_steps = mat.multiply(step, self._own_steps)
+        self._matrix = mat.multiply(self._within_groups(step), self._matrix)
+
+    def _within_groups(self, step: mat.Affine) -> mat.Affine:
+        """Return what, done within the groups around, is as `step` done after all of them."""
+        around = self._surroundings()
+        back = mat.inverse(around)
+        if not self._root()._is_settled or around == mat.IDENTITY or back is None:
+            return step
+        return mat.multiply(back, mat.multiply(step, around))

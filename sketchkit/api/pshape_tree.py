@@ -51,6 +51,7 @@ class ShapeTree(ShapeParts):
             raise SketchError("addChild(): a group cannot be put into itself.")
         self._children.insert(len(self._children) if idx is None else idx, who)
         who._parent = self
+        self._unsettle()
         if who._name is not None:
             self.addName(who._name, who)
 
@@ -64,6 +65,7 @@ class ShapeTree(ShapeParts):
         >>> group.removeChild(0)
         """
         child = self._child_at("removeChild", idx)
+        self._unsettle()
         del self._children[self.getChildIndex(child)]
         child._parent = None
 
@@ -293,8 +295,8 @@ class ShapeTree(ShapeParts):
 
 def _with_descendants(shape: ShapeParts) -> list[ShapeParts]:
     found = [shape]
-    for piece in shape._pieces():
-        found += _with_descendants(piece)
+    for member in shape._members():
+        found += _with_descendants(member)
     return found
 
 

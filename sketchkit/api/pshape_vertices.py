@@ -31,7 +31,7 @@ class ShapeVertices(ShapeCorners):
             return sum(leaf.getVertexCount() for leaf in self._leaves())
         if self._is_primitive:
             return len(self._made_places())
-        return self._recorder.corner_end // CORNER
+        return self._vertex_count()
 
     def getVertex(self, index: int, vec: PVector | None = None) -> PVector:
         """Return the place of a vertex; a given vector is filled.
@@ -128,7 +128,8 @@ class ShapeVertices(ShapeCorners):
         -----
         As in Processing, once a 3D shape of triangles or quads was drawn, its outline stays where
         it is, and so do the normals that were made from its faces. Moving a few vertices of many
-        costs little: only they are sent to the graphics card. Source: Processing's reference,
+        costs little: only they are sent to the graphics card. Of curves the control points are
+        vertices too, and the curve follows them. Source: Processing's reference,
         PShape.setVertex().
 
         Examples
@@ -147,7 +148,10 @@ class ShapeVertices(ShapeCorners):
         numbers = tuple(place[0]) if len(place) == 1 and isinstance(place[0], PVector) else place
         try:
             x, y, z = (*numbers, 0.0) if len(numbers) == 2 else numbers
-            pack_place(self._recorder.corners, corner * CORNER, x, y, z)
+            if self._curved_run is None:
+                pack_place(self._recorder.corners, corner * CORNER, x, y, z)
+            else:
+                self._move_given(index, (x + 0.0, y + 0.0, z + 0.0))  # type: ignore[operator] # no PVector
         except (TypeError, ValueError, *PackError):
             usage = "index, x, y [, z]"
             raise wrong_numbers("setVertex", (index, *place), usage) from None
@@ -269,6 +273,10 @@ class ShapeVertices(ShapeCorners):
         self._must_be_ended("setTextureUV")
         corner = self._corner_index("setTextureUV", index)
         texture = self._current_texture()
+        try:
+            u, v = u + 0.0, v + 0.0
+        except TypeError:
+            raise wrong_numbers("setTextureUV", (index, u, v), "index, u, v") from None
         if texture is not None and self._texture_mode == c.IMAGE:
             u, v = u / texture.width, v / texture.height
         self._ensure_uvs()

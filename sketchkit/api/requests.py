@@ -9,7 +9,7 @@ import numpy as np
 
 from sketchkit.api._sketch_parts import SketchParts
 from sketchkit.api.pimage import PImage
-from sketchkit.assets.images import Picture, load_image
+from sketchkit.assets.pictures.images import Picture, load_image
 from sketchkit.core.clock import VirtualClock
 from sketchkit.core.constants import ARGB
 from sketchkit.core.errors import SketchError

@@ -124,7 +124,8 @@ class RetainedShapes(CanvasParts):
 
         Notes
         -----
-        Source: Processing's reference, shape(); the course guide's section 4.9.
+        In P2D and P3D a child that is drawn alone stays where its groups have moved it, as in
+        Processing. Source: Processing's reference, shape(); the course guide's section 4.9.
 
         Examples
         --------
@@ -147,8 +148,10 @@ class RetainedShapes(CanvasParts):
                 self._modelview = self._placed(shape, place)
             except TypeError:
                 raise wrong_numbers("shape", (shape, *place), SHAPE_USAGE) from None
-        for part in shape._drawn(self):
-            self._pack_part(part)
+        shape._settle()
+        around = shape._surroundings()
+        for part, matrix in shape._drawn(self):
+            self._pack_part((part, mat.multiply(around, matrix)))
         self._modelview = saved
         self._state = -1
         if self._renderer.readers:  # they read what the shape was made from, before it is edited
@@ -202,6 +205,7 @@ class RetainedShapes(CanvasParts):
 
     def _pack_part(self, placed: Placed) -> None:
         """Record a part of a shape."""
+        self._follow_shaders()
         part, matrix = placed
         recorder = self._recorder
         modelview = mat.multiply(self._modelview, matrix)

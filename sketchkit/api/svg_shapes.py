@@ -9,22 +9,15 @@ from pathlib import Path
 import numpy as np
 
 from sketchkit.api._parts import CanvasParts
-from sketchkit.api._pen import BLACK
+from sketchkit.api._pen import BLACK, WHITE
 from sketchkit.api.pimage import PImage
 from sketchkit.api.pshape import PrimitiveShape, PShape
 from sketchkit.api.pshape_parts import Family
-from sketchkit.assets.svg import SvgNode, load_svg
-from sketchkit.assets.svg_gradient_pictures import gradient_picture
-from sketchkit.assets.svg_gradients import Gradient
-from sketchkit.assets.svg_paths import (
-    BEZIER_VERTEX,
-    BREAK,
-    POINTS_OF,
-    QUADRATIC_VERTEX,
-    VERTEX,
-    Outline,
-)
-from sketchkit.assets.svg_styles import SvgStyle
+from sketchkit.assets.svg.drawing import SvgNode, load_svg, outline_of
+from sketchkit.assets.svg.gradient_pictures import gradient_picture
+from sketchkit.assets.svg.gradients import Gradient
+from sketchkit.assets.svg.paths import POINTS_OF, Outline
+from sketchkit.assets.svg.styles import SvgStyle
 from sketchkit.core import constants as c
 from sketchkit.core.notices import warn_once
 
@@ -47,21 +40,22 @@ def svg_shape(canvas: CanvasParts, path: Path) -> PShape:
 
 def _shape_of(canvas: CanvasParts, node: SvgNode) -> PShape:
     """Return a node with everything in it."""
+    gradient = node.style.fill_gradient if canvas._stage.is_java2d else None  # others show none
+    outline = node.outline if gradient is None else outline_of(node)
     if node.kind == c.GROUP:
         shape = PShape(canvas, Family.GROUP)
         for child in node.children:
             shape.addChild(_shape_of(canvas, child))
-    elif node.outline is not None:
-        shape = _path(canvas, node.outline, node.style)
+    elif outline is not None:
+        shape = _path(canvas, outline, node.style)
+        if gradient is not None:
+            _show_gradient(shape, gradient)
     else:
         shape = PrimitiveShape(canvas, node.kind, node.numbers, lambda pen: _wear(pen, node.style))
-    gradient = node.style.fill_gradient
-    if gradient is not None and canvas._stage.is_java2d:  # P2D and P3D do not show it
-        _show_gradient(shape, gradient)
     if node.name is not None:
         shape.setName(node.name)
     if node.matrix is not None:
-        shape._matrix = node.matrix
+        shape._matrix = shape._own_steps = node.matrix
     shape._is_visible = node.is_visible
     return shape
 
@@ -83,17 +77,18 @@ def _wear(shape: PShape, style: SvgStyle) -> None:
 def _path(canvas: CanvasParts, outline: Outline, style: SvgStyle) -> PShape:
     """Return a path: its corners, its curves, and its holes."""
     shape = PShape(canvas, Family.PATH)
+    shape._is_read_path = bool(outline.codes)
     _wear(shape, style)
     shape.beginShape()
     calls: dict[int, Callable[..., None]] = {
-        VERTEX: shape.vertex,
-        BEZIER_VERTEX: shape.bezierVertex,
-        QUADRATIC_VERTEX: shape.quadraticVertex,
+        c.VERTEX: shape.vertex,
+        c.BEZIER_VERTEX: shape.bezierVertex,
+        c.QUADRATIC_VERTEX: shape.quadraticVertex,
     }
     is_inner = False
     places = iter(outline.vertices.tolist())
-    for code in outline.codes or (VERTEX,) * len(outline.vertices):
-        if code == BREAK:
+    for code in outline.codes or (c.VERTEX,) * len(outline.vertices):
+        if code == c.BREAK:
             if is_inner:
                 shape.endContour()
             shape.beginContour()
@@ -108,17 +103,15 @@ def _path(canvas: CanvasParts, outline: Outline, style: SvgStyle) -> PShape:
 
 
 def _show_gradient(shape: PShape, gradient: Gradient) -> None:
-    """Lay a picture of a gradient over a shape."""
-    places = shape._given_places()
+    """Lay a picture of a gradient over a path."""
+    places = shape._corner_places()[:, :2].copy()  # of what is about to grow
     if not len(places):
         return
-    low, high = places[:, :2].min(axis=0), places[:, :2].max(axis=0)
+    low, high = places.min(axis=0), places.max(axis=0)
     size = np.where(high > low, high - low, 1)
-    shape._fill = BLACK
-    shape._row_column("fill", BLACK)
+    shape._fill = WHITE
     shape.setTextureMode(c.NORMAL)
     box = (float(low[0]), float(low[1]), float(size[0]), float(size[1]))
     shape.setTexture(PImage._of(gradient_picture(gradient, box), c.ARGB))
-    if not shape._is_primitive:
-        shape._recorder.uv_array()[:] = (places[:, :2] - low) / size
-        shape._corner_column("fill", 0xFFFFFFFF)
+    shape._recorder.uv_array()[:] = (places - low) / size
+    shape._corner_column("fill", WHITE)

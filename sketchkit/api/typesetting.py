@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from sketchkit.api._parts import CanvasParts
 from sketchkit.api.paint import check_choice
-from sketchkit.assets.fonts import Face, Setting, design_size, fonts_of
-from sketchkit.assets.letters import letters_of
+from sketchkit.assets.fonts.faces import Face, Setting, design_size, fonts_of
+from sketchkit.assets.fonts.letters import letters_of
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, shown, wrong_numbers
 from sketchkit.core.float32 import f32

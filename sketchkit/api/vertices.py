@@ -13,6 +13,7 @@ from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, kind_of, shown
 from sketchkit.draw.recorder import (
     CORNER,
+    NO_CUSTOM,
     ROW,
     UV,
     Kind,
@@ -86,6 +87,7 @@ class Vertices(Pen):
             )
         self._shape = OpenShape(kind, self._recorder.corner_end)
         self._normal = FACING
+        self._custom = NO_CUSTOM
         self._attributes = -1
         return Block(self.endShape)
 
@@ -147,12 +149,13 @@ class Vertices(Pen):
 
     def _textured_vertex(self, x: float, y: float, z: float, uv: tuple[float, ...]) -> None:
         """Add a vertex that has texture coordinates, or whose shape has a texture."""
+        given = (x, y, z, *uv)
         if len(uv) == 1:
             z, u, v = 0.0, z, uv[0]
         elif len(uv) in (0, 2):
             u, v = uv or (0.0, 0.0)
         else:
-            self._refuse("vertex", (x, y, z, *uv), VERTEX_USAGE)
+            self._refuse("vertex", given, VERTEX_USAGE)
         shape, recorder = self._open("vertex"), self._recorder
         self._begin_uvs(shape)
         try:
@@ -172,7 +175,7 @@ class Vertices(Pen):
                 self._stroke,
             )
         except (*PackError, TypeError):
-            self._again(self.vertex, (x, y, z, *uv), VERTEX_USAGE)
+            self._again(self.vertex, given, VERTEX_USAGE)
             return
         if shape.first_uv is not None:
             recorder.uv_end += UV

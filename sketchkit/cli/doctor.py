@@ -25,7 +25,10 @@ class Finding(NamedTuple):
     advice: str = ""
 
 
-PACKAGES = ("numpy", "pillow", "moderngl", "glfw", "click", "rich", "font-source-sans-pro")
+PACKAGES = (
+    *("numpy", "pillow", "moderngl", "glfw", "click", "rich", "font-source-sans-pro"),
+    *("svgelements", "pydyf", "uharfbuzz"),
+)
 
 # What is tried out: its name in probes.py, what it is called, and what to do if it fails.
 TRIED = (

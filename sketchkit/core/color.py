@@ -108,6 +108,19 @@ def to_packed(color: object, name: str = "color") -> int:
     return packed & 0xFFFFFFFF
 
 
+def unit_rgba(name: str, color: object) -> tuple[float, float, float, float]:
+    """Return red, green, blue and alpha of a colour that a sketch holds, 0 to 1 each.
+
+    Examples
+    --------
+    >>> unit_rgba("attribColor", "#FF0000")
+    (1.0, 0.0, 0.0, 1.0)
+    """
+    packed = to_packed(color, name)
+    red, green, blue, alpha = (packed >> shift & 255 for shift in (16, 8, 0, 24))
+    return red / 255, green / 255, blue / 255, alpha / 255
+
+
 def parse(text: str) -> int:
     """Return the colour that a string names: "#CC6600", "#80CC6600", "#C60" or "orange".
 

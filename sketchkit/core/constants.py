@@ -99,6 +99,13 @@ CLOSE: Final = 2
 CHORD: Final = 2
 PIE: Final = 3
 
+# Codes of a shape's vertices
+VERTEX: Final = 0
+BEZIER_VERTEX: Final = 1
+QUADRATIC_VERTEX: Final = 2
+CURVE_VERTEX: Final = 3
+BREAK: Final = 4
+
 # How numbers are read, and where things are aligned
 CORNER: Final = 0
 CORNERS: Final = 1

@@ -9,13 +9,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from sketchkit.core.notices import warn_once
 from sketchkit.draw.commands import Clear, Command, Draw, DrawList, DrawMesh, Settle, Settling
+from sketchkit.draw.custom_columns import custom_columns, custom_samples
 from sketchkit.draw.layers import LayerPieces, PieceOrder, unpack_argb
 from sketchkit.draw.pieces import Expansion, Fills, Lines, Points
 from sketchkit.draw.pipeline import Pipeline, Program
 from sketchkit.draw.recorder import WHOLE, Kind
 from sketchkit.draw.resources import Target, Texture
 from sketchkit.draw.rows import Rows
+from sketchkit.draw.shading import Shading
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import Layer
 from sketchkit.geometry.ribbons import ribbon
@@ -40,6 +43,7 @@ class Assembler:
     def assemble(self, expansion: Expansion) -> DrawList:
         """Return the list."""
         self.has_uvs = any(fills.uvs is not None for fills in expansion.fills)
+        self.customs = custom_samples(self.rows)
         for fills in expansion.fills:
             self._add_fills(fills)
         for lines in expansion.lines:
@@ -68,6 +72,9 @@ class Assembler:
             columns |= self._materials(fills)
         own = np.full((1, 1), STROKE if fills.is_stroke else 0)
         columns |= self._sources(own if fills.sources is None else fills.sources)
+        if self.customs:
+            inverse = self._normal_matrices()
+            columns |= custom_columns(self.rows, fills, self.customs, inverse)
         keys = 2 * fills.rows + fills.is_stroke
         self.layers[Layer.FILLS].add(
             keys, fills.triangles, columns, fills.textures, fills.hides_back
@@ -236,6 +243,7 @@ def _pipeline(
         program = Program.LIT if texture is None else Program.TEXTURED_LIT
     return Pipeline(
         program=program,
+        shading=_shading(stage, layer, is_textured=texture is not None),
         target=stage.target,
         projection=stage.projection,
         blend=stage.blend,
@@ -249,6 +257,23 @@ def _pipeline(
         stroke_perspective=stage.stroke_perspective,
         culls_backs=culls_backs,
     )
+
+
+def _shading(stage: Stage, layer: Layer, *, is_textured: bool) -> Shading | None:
+    """Return the sketch's own shader for a layer, if it has one that serves."""
+    if layer is Layer.LINES:
+        return stage.shadings.lines
+    if layer is Layer.POINTS:
+        return stage.shadings.points
+    shading = stage.shadings.fills
+    if shading is None or shading.serves(is_textured=is_textured, is_lit=stage.lights is not None):
+        return shading
+    warn_once(
+        f"The shader of {shading.source.name} does not draw what is"
+        f" {'textured' if is_textured else 'untextured'} and"
+        f" {'lit' if stage.lights is not None else 'unlit'}: it is drawn without it."
+    )
+    return None
 
 
 def _pull(stage: Stage) -> tuple[float, float, float]:

@@ -7,6 +7,7 @@ from typing import Protocol
 from sketchkit.draw.commands import DrawList
 from sketchkit.draw.meshes import Mesh
 from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.shading import ShaderSource
 from sketchkit.draw.vertex import U8
 
 
@@ -20,6 +21,15 @@ class Backend(Protocol):
 
     def execute(self, commands: DrawList) -> None:
         """Carry out the commands in order."""
+
+    def prepare(self, source: ShaderSource) -> None:
+        """Make ready to draw with a shader of the sketch's.
+
+        Raises
+        ------
+        SketchError
+            If it does not compile, or the backend runs no GLSL.
+        """
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""

@@ -59,11 +59,12 @@ def _add_fills(
 
 
 def _cover(rows: Rows, fills: Fills, uvs: F32) -> None:
-    """Give the pieces of a retained shape its texture, if it has one; `uvs` is (k, 2)."""
-    if not rows.is_retained.any() or not rows.links[fills.rows].any():
+    """Give pieces the places on a texture, (k, 2); those of a retained shape, its texture too."""
+    if not rows.wants_uvs:
         return
-    fills.textures = [rows.recorder.textures[link - 1] for link in rows.links[fills.rows]]
     fills.uvs = np.broadcast_to(uvs, (len(fills.rows), fills.x.shape[1], 2))
+    if rows.is_retained.any() and rows.links[fills.rows].any():
+        fills.textures = [rows.recorder.textures[link - 1] for link in rows.links[fills.rows]]
 
 
 def _expand_points(rows: Rows, at: I64, out: Expansion) -> None:

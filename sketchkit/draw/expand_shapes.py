@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sketchkit.core import constants as c
 from sketchkit.draw.added_corners import main_sources, mix_colors
-from sketchkit.draw.outlines import Dots, Outlines, add_dots, add_outlines
+from sketchkit.draw.outlines import Dots, Outlines, add_dots, add_outlines, has_joints
 from sketchkit.draw.pieces import Expansion, Fills
 from sketchkit.draw.recorder import ShapeRun
 from sketchkit.draw.rows import Rows
@@ -29,6 +29,7 @@ from sketchkit.geometry.shapes import (
 
 F32 = NDArray[np.float32]
 I64 = NDArray[np.int64]
+Bool = NDArray[np.bool_]
 
 
 class Corners:
@@ -140,9 +141,17 @@ def _add_polylines(
     x, y, z = (corners.places[index][..., axis] for axis in range(3))
     weights = corners.weights[index]
     if (weights == weights[:, :1]).all():
-        weights = rows.weights[owners][:, None]
+        weights = weights[:, :1]
+    own_weights = rows.weights[owners][:, None]  # those at the end of the shape
+    weights = np.where(_takes_last_weight(rows, owners)[:, None], own_weights, weights)
     colors = corners.strokes[index]
     add_outlines(rows, Outlines(owners, x, y, z, colors, weights, is_closed, index), out)
+
+
+def _takes_last_weight(rows: Rows, owners: I64) -> Bool:
+    """Return whose outlines are as wide as the last `strokeWeight()` said: 2D ones with joins."""
+    found: Bool = ~rows.is_3d[rows.states[owners]] & has_joints(rows, owners)
+    return found
 
 
 def _expand_faces(rows: Rows, corners: Corners, at: I64, kind: int, out: Expansion) -> None:
@@ -164,9 +173,10 @@ def _expand_faces(rows: Rows, corners: Corners, at: I64, kind: int, out: Expansi
         fills = _fills(rows, corners, owners[mine], index, found.triangles)
         fills.normals = None if normals is None else normals[index]
         fills.snap = None if snap is None else snap[mine]
+        if wants_texture or rows.wants_uvs:
+            fills.uvs = corners.uvs[index]
         if wants_texture:
             fills.ambient = rows.fills[owners[mine]][:, None]  # the colours are the tint
-            fills.uvs = corners.uvs[index]
             textures = [shape.texture for shape in shapes]
             fills.textures = [textures[i] for i in found.shapes[mine]]
         out.fills.append(fills)
@@ -269,6 +279,7 @@ def _fill_polygon(rows: Rows, corners: Corners, row: int, shape: ShapeRun, out: 
     if shape.texture is not None:
         fills.textures = [shape.texture] * len(found.triangles)
         fills.ambient = np.full((1, 1), rows.fills[row])
+    if shape.texture is not None or rows.wants_uvs:
         uvs = interpolate(found, corners.uvs[run].astype(np.float64))
         fills.uvs = uvs[found.triangles].astype(np.float32)
     out.fills.append(fills)

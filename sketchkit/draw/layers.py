@@ -12,7 +12,7 @@ from sketchkit.draw.depth_sort import depth_order
 from sketchkit.draw.resources import Texture
 from sketchkit.draw.rows import project
 from sketchkit.draw.stage import Stage
-from sketchkit.draw.vertex import Materials, VertexBlock
+from sketchkit.draw.vertex import CUSTOM, Materials, VertexBlock
 
 I64 = NDArray[np.int64]
 Bool = NDArray[np.bool_]
@@ -96,9 +96,15 @@ class LayerPieces:
         if "ambient" in joined:
             names = ("ambient", "specular", "emissive", "shininess")
             materials = Materials(*(joined.pop(name) for name in names))  # type: ignore[arg-type] # columns are of one dtype each
+        custom = {
+            name.removeprefix(CUSTOM): joined.pop(name)
+            for name in list(joined)
+            if name.startswith(CUSTOM)
+        }
         return VertexBlock(
             indices=indices,
             materials=materials,
+            custom=custom,  # type: ignore[arg-type] # ditto
             **joined,  # type: ignore[arg-type] # ditto
         )
 

@@ -83,9 +83,7 @@ def add_outlines(rows: Rows, outlines: Outlines, out: Expansion) -> None:
     if not len(outlines.rows):
         return
     states = rows.states[outlines.rows]
-    width = rows.scales[states] * outlines.weights.max(axis=1)
-    has_joints = (width >= THIN) | rows.is_retained[states]
-    kinds = rows.is_3d[states] * 2 + has_joints
+    kinds = rows.is_3d[states] * 2 + has_joints(rows, outlines.rows)
     for kind in np.unique(kinds):
         some = outlines.take(kinds == kind)
         if kind >= 2:
@@ -108,6 +106,13 @@ def add_outlines(rows: Rows, outlines: Outlines, out: Expansion) -> None:
             _add_wide(rows, some, out)
         else:
             _add_thin(rows, some, out)
+
+
+def has_joints(rows: Rows, at: I64) -> Bool:
+    """Return which outlines have joins and caps: the weight at the end of a shape decides."""
+    states = rows.states[at]
+    found: Bool = (rows.scales[states] * rows.weights[at] >= THIN) | rows.is_retained[states]
+    return found
 
 
 def _add_thin(rows: Rows, outlines: Outlines, out: Expansion) -> None:

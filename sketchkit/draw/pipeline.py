@@ -8,6 +8,7 @@ from typing import NamedTuple
 from sketchkit.core.lights import LightRig
 from sketchkit.core.matrix import Mat4
 from sketchkit.draw.resources import Target, Texture, Wrap
+from sketchkit.draw.shading import Shading
 
 
 class Program(Enum):
@@ -58,6 +59,8 @@ class Pipeline(NamedTuple):
         Read by the textured programs alone. A target is read as it is when the draw's turn comes.
     line_scale : (x, y, z)
         Eye-space ends of strokes are scaled by it, so that an outline wins over its own fill.
+    shading : Shading or None
+        A shader of the sketch's own, instead of `program`.
     culls_backs : bool
         Whether faces turned away may be left out, because others hide them.
     stroke_perspective : bool
@@ -77,3 +80,4 @@ class Pipeline(NamedTuple):
     line_scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
     stroke_perspective: bool = False
     culls_backs: bool = False
+    shading: Shading | None = None

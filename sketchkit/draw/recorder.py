@@ -8,9 +8,10 @@ value that is no number is refused there.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from copy import copy
-from enum import IntEnum
+from enum import Enum, IntEnum
+from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -94,12 +95,34 @@ UV = 8
 pack_uv: Packer = struct.Struct("<ff").pack_into
 
 
+class CustomKind(Enum):
+    """What an attribute of `attrib()` and its like stands for, and so how matrices change it."""
+
+    PLAIN = "plain"
+    PLACE = "place"
+    DIRECTION = "direction"  # a normal
+
+
+class Custom(NamedTuple):
+    """An attribute that the sketch gives to vertices for a shader of its own."""
+
+    kind: CustomKind
+    values: tuple[float, ...]
+
+
+NO_CUSTOM: Mapping[str, Custom] = MappingProxyType({})
+
+
 class Attributes(NamedTuple):
-    """What a vertex of `beginShape()` has besides place and colours."""
+    """What a vertex of `beginShape()` has besides place and colours.
+
+    `custom` is never changed in place: entries share it.
+    """
 
     normal: tuple[float, float, float]
     material: Material
     weight: float
+    custom: Mapping[str, Custom] = NO_CUSTOM
 
 
 class CurveRun(NamedTuple):
@@ -109,9 +132,9 @@ class CurveRun(NamedTuple):
     ----------
     first : int
         The first corner after the curve's start, counted from the shape's first.
-    control : (4, 3) float64
-        Of a cubic Bezier curve: start, two control points, end. Of a spline: the four points that
-        its segment between the middle two depends on.
+    control : (4, 3) or (3, 3) float64
+        Of a Bezier curve: start, two control points or, of a quadratic one, a single one, end. Of a
+        spline: the four points that its segment between the middle two depends on.
     tightness : float or None
         Of a spline; None for a Bezier curve.
     """
@@ -219,9 +242,15 @@ class Recorder:
         self.matrices.extend(modelview)
         return len(self.styles) - 1
 
-    def replace_stage(self, old: Stage, new: Stage) -> None:
-        """Let the rows that were recorded with one stage be drawn with another."""
-        self.stages[:] = [new if stage is old else stage for stage in self.stages]
+    def replace_stage(self, old: Stage, new: Stage, first: int = 0) -> None:
+        """Let the rows that were recorded with one stage, from a state on, have another."""
+        self.stages[first:] = [new if stage is old else stage for stage in self.stages[first:]]
+
+    def first_state_after(self, kind: Kind) -> int:
+        """Return the first state of the rows behind the last one of a kind."""
+        rows = self.row_array()
+        states = rows["state"][rows["kind"] == kind]
+        return int(states[-1]) + 1 if len(states) else 0
 
     def make_room(self) -> bool:
         """Return whether a buffer was full; it is twice as long afterwards."""

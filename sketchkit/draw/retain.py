@@ -53,6 +53,8 @@ def retain(recorder: Recorder, weight_scale: float) -> list[MeshPart]:
     The rows' states have the identity for matrix, and stages with a `sighting`. Outlines are made
     `weight_scale` times as wide as they were recorded.
     """
+    if not recorder.row_end:
+        return []
     rows = Rows(recorder, weight_scale)
     commands = Assembler(rows).assemble(expand(rows))
     mesh = Mesh(commands.blocks, recorder, weight_scale)

@@ -63,7 +63,15 @@ class Rows:
     @cached_property
     def is_lit(self) -> bool:
         """Whether any row may be lit, so that normals and materials are needed."""
-        return any(stage.lights is not None for stage in self.stages)
+        return any(
+            stage.lights is not None or stage.shadings.reads_normals for stage in self.stages
+        )
+
+    @cached_property
+    def wants_uvs(self) -> bool:
+        """Whether a shader may read texture coordinates of what has no texture."""
+        is_retained = bool(self.is_retained.any())
+        return is_retained or any(stage.shadings.reads_uvs for stage in self.stages)
 
     @cached_property
     def scales(self) -> F32:

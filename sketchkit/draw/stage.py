@@ -8,6 +8,7 @@ from sketchkit.core.lights import LightRig
 from sketchkit.core.matrix import IDENTITY4, Affine, Mat4
 from sketchkit.draw.pipeline import Blend, Clip
 from sketchkit.draw.resources import Target, Wrap
+from sketchkit.draw.shading import BUILT_IN, Shadings
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -49,3 +50,4 @@ class Stage:
     stroke_perspective: bool = False
     one_by_one: bool = False
     sighting: Affine | None = None
+    shadings: Shadings = BUILT_IN

@@ -7,7 +7,7 @@ already in eye space, as in Processing.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 import numpy as np
@@ -17,6 +17,9 @@ F32 = NDArray[np.float32]
 U8 = NDArray[np.uint8]
 U32 = NDArray[np.uint32]
 I32 = NDArray[np.int32]
+
+
+CUSTOM = "custom "  # before the names of columns that sketches add, until they are in a block
 
 
 class Layer(Enum):
@@ -70,6 +73,8 @@ class VertexBlock:
         Of what is retained: the corner of the recorder that each vertex shows (0 where there are
         none), or -1 of an outline in the plane. No renderer reads it; it leads an edit of the
         shape to its vertices.
+    custom : dict of (n, k) float32
+        FILLS only: what `attrib()` gave, by name; places and normals in the space of `positions`.
     """
 
     positions: F32
@@ -81,3 +86,4 @@ class VertexBlock:
     directions: F32 | None = None
     offsets: F32 | None = None
     sources: I32 | None = None
+    custom: dict[str, F32] = field(default_factory=dict)

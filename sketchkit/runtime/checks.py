@@ -12,7 +12,10 @@ from sketchkit.runtime.source import Source
 
 # Packages that sketchkit itself stands on: a file of the sketch with such a name hides them.
 FOUNDATIONS = frozenset(
-    {"PIL", "click", "glfw", "moderngl", "numpy", "rich", "sketchkit", "trimesh"}
+    {
+        *("PIL", "click", "font_source_sans_pro", "glfw", "moderngl", "numpy", "pydyf", "rich"),
+        *("sketchkit", "svgelements", "uharfbuzz"),
+    }
 )
 SMOOTHING = frozenset({"smooth", "noSmooth"})
 SIZING = frozenset({"size", "fullScreen"})

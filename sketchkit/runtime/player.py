@@ -10,6 +10,7 @@ from typing import Protocol
 
 from sketchkit.api.events import KeyEvent
 from sketchkit.api.host import Host
+from sketchkit.api.pshader import loaded_files, reload_shaders
 from sketchkit.core.clock import RealClock
 from sketchkit.core.constants import ESC
 from sketchkit.draw.backend import Backend
@@ -148,15 +149,19 @@ class Player:
 
     def _has_new_version(self, loop: Loop) -> bool:
         """Tell whether a file was saved and can be read; if it cannot, the old version goes on."""
-        self._watch.add(loop.program.files)
-        changed = self._watch.changed()
+        shaders = loaded_files()
+        self._watch.add([*loop.program.files, *shaders])
+        changed = set(self._watch.changed())
+        if not changed:
+            return False
         try:
             with reporting(self._path):
                 compile_all(path for path in changed if path.suffix == ".py")
+                reload_shaders(changed, self._screen.backend)
         except StoppedError as stopped:
             self._show(stopped.report)
             return False
-        return bool(changed)
+        return bool(changed - shaders)
 
     def _wait_for_change(self) -> Ending:
         """Keep the window, with the last picture in it, until it is closed or a file is saved."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.assets.glyph_atlas import Sheet
+from sketchkit.assets.fonts.glyph_atlas import Sheet
 from sketchkit.core.constants import BEVEL, ROUND, SQUARE
 from sketchkit.core.matrix import Affine
 from sketchkit.core.style import NO_COLOR

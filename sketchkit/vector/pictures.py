@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.assets.glyph_atlas import Sheet
-from sketchkit.assets.letters import BITMAPS
-from sketchkit.assets.outlines import letter_outline
+from sketchkit.assets.fonts.glyph_atlas import Sheet
+from sketchkit.assets.fonts.letters import BITMAPS
+from sketchkit.assets.fonts.outlines import letter_outline
 from sketchkit.core.style import NO_COLOR
 from sketchkit.draw.commands import Upload
 from sketchkit.draw.resources import Pixels, Target, Texture

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from sketchkit.core import constants as c
 from sketchkit.core.style import NO_COLOR
-from sketchkit.draw.recorder import CurveRun, ShapeRun
+from sketchkit.draw.given_vertices import as_bezier
+from sketchkit.draw.recorder import ShapeRun
 from sketchkit.draw.rows import Rows
-from sketchkit.geometry.curves import spline_to_bezier
 from sketchkit.geometry.shapes import FACE_KINDS, faces
 from sketchkit.vector.page import Item, Path, joined, polyline
 from sketchkit.vector.pictures import textured_items
@@ -129,17 +129,10 @@ def _contour_path(shape: ShapeRun, corners: _Corners) -> Path:
                 corner += 1
             else:
                 letters.append("C")
-                points.append(_bezier(run)[1:])
+                points.append(as_bezier(run)[1:])
                 corner += run.count
         letters.append("Z" * shape.is_closed)
     return Path("".join(letters), np.vstack(points))
-
-
-def _bezier(run: CurveRun) -> F64:
-    """Return the Bezier curve of a run, (4, 3)."""
-    if run.tightness is None:
-        return run.control
-    return spline_to_bezier(run.control, run.tightness)
 
 
 def _stroke(rows: Rows, row: int, corners: _Corners, at: I64) -> tuple[int, float]:

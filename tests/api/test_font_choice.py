@@ -5,7 +5,7 @@ import pytest
 from sketchkit.api import font_choice
 from sketchkit.core.errors import SketchError
 from sketchkit.core.notices import SketchWarning
-from tests.assets.test_vlw import font as vlw_bytes
+from tests.assets.fonts.test_vlw import font as vlw_bytes
 
 BOLD = str(files("font_source_sans_pro") / "files" / "SourceSansPro-Bold.ttf")
 

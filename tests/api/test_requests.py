@@ -6,8 +6,8 @@ from PIL import Image
 
 from sketchkit.api.requests import RequestedImage
 from sketchkit.api.sketch import Sketch
-from sketchkit.assets.images import Picture
 from sketchkit.assets.paths import set_sketch_folder, sketch_folder
+from sketchkit.assets.pictures.images import Picture
 from sketchkit.core.clock import RealClock
 from sketchkit.core.constants import ARGB, RGB
 from sketchkit.core.errors import SketchError

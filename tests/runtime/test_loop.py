@@ -122,7 +122,7 @@ def test_sketch_without_functions_draws_while_it_is_read(tmp_path: Path) -> None
         assert loop.step() is False
 
 
-def test_camera_of_setup_is_gone_in_the_first_frame(tmp_path: Path) -> None:
+def test_camera_of_setup_stays_and_the_matrix_does_not(tmp_path: Path) -> None:
     sketch = written(
         tmp_path,
         """
@@ -137,7 +137,7 @@ def test_camera_of_setup_is_gone_in_the_first_frame(tmp_path: Path) -> None:
         """,
     )
 
-    assert play(sketch, 2)["seen"] == [50, 0, 0]
+    assert play(sketch, 2)["seen"] == [50, 50, 50]
 
 
 def test_time_of_a_render_is_that_of_its_frames(tmp_path: Path) -> None:

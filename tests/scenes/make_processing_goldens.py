@@ -16,6 +16,7 @@ from __future__ import annotations
 import argparse
 import ast
 import inspect
+import shutil
 import textwrap
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -25,6 +26,7 @@ from PIL import Image
 
 from sketchkit.core.constants import JAVA2D, P2D, P3D
 from tests.scenes import SCENES, Scene
+from tests.scenes.registry import FOLDER
 
 GOLDENS = Path(__file__).parents[1] / "golden" / "processing"
 CANVAS = "g"  # the scenes' name for it
@@ -98,8 +100,8 @@ def _math_imports(function: Callable[..., object]) -> Iterator[str]:
 
 
 def write(folder: Path, scenes: list[Scene]) -> None:
-    """Write sketches."""
-    folder.mkdir(parents=True, exist_ok=True)
+    """Write sketches, and the files that they read."""
+    shutil.copytree(FOLDER / "data", folder / "data", dirs_exist_ok=True)
     for scene in scenes:
         (folder / f"{scene.name}.py").write_text(sketch_of(scene), encoding="utf-8")
 

@@ -2,13 +2,15 @@
 
 `@scene()` over a function `(g: PGraphics) -> None` is all that it takes: the function's name is the
 scene's. It draws the first frame of a sketch. `make_processing_goldens.py` runs it on Processing
-too, so it uses nothing but `g`, constants, `math`, and functions of its own file that take `g`.
+too, so it uses nothing but `g`, constants, `math`, functions of its own file that take `g`, and
+`createGraphics` from here.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 from sketchkit.api.graphics import PGraphics
 from sketchkit.core.constants import P2D
@@ -16,6 +18,7 @@ from sketchkit.core.constants import P2D
 Drawing = Callable[[PGraphics], None]
 
 SCENES: dict[str, Scene] = {}
+FOLDER = Path(__file__).parent  # files are found in its `data`, as a sketch's are
 
 
 @dataclass(frozen=True)
@@ -70,3 +73,8 @@ def scene(
         return draw
 
     return register
+
+
+def createGraphics(g: PGraphics, width: int, height: int, renderer: str) -> PGraphics:
+    """Return a canvas out of sight, as a sketch's own function does."""
+    return g.offscreen(width, height, renderer, g.target.samples)
