@@ -30,6 +30,8 @@ def main() -> None:
     code = compile(text, str(path), "exec")
     names = _names_for(code) | {"width": int(width), "height": int(height)}
     names["size"] = lambda *_: None  # called in settings(), as py5 wants it
+    if "np_pixels" in text:
+        _give_array(names)
     exec(code, names)
     clock = FrameClock(seconds)
 
@@ -54,6 +56,16 @@ def _names_for(code: CodeType) -> dict[str, object]:
     functions = [value for value in code.co_consts if isinstance(value, CodeType)]
     used = {name for function in functions for name in function.co_names}
     return {name: getattr(py5, _py5_name(name)) for name in used if hasattr(py5, _py5_name(name))}
+
+
+def _give_array(names: dict[str, object]) -> None:
+    """Let `loadPixels()` give `np_pixels`; py5 has its channels in another order."""
+
+    def load() -> None:
+        py5.load_np_pixels()
+        names["np_pixels"] = py5.np_pixels
+
+    names["loadPixels"], names["updatePixels"] = load, py5.update_np_pixels
 
 
 def _py5_name(name: str) -> str:

@@ -27,6 +27,7 @@ from sketchkit.draw.commands import (
 from sketchkit.draw.meshes import Mesh, MeshPart
 from sketchkit.draw.pipeline import Clip, Pipeline
 from sketchkit.draw.resources import Target, Texture, Wrap
+from sketchkit.draw.shading import ShaderSource
 from sketchkit.draw.vertex import U8, U32, Layer, Materials, VertexBlock
 
 Numbers = Iterable[float] | NDArray[np.floating]
@@ -60,6 +61,9 @@ class ListingBackend:
     def execute(self, commands: DrawList) -> None:
         """Keep the text of a list."""
         self.texts.append(_text(commands, self._names, is_full=self.is_full))
+
+    def prepare(self, source: ShaderSource) -> None:
+        """Do nothing: a shader is named, not run."""
 
     def read(self, target: Target) -> U8:
         """Return a transparent picture."""
@@ -173,7 +177,9 @@ class _Writer:
     def _draw(self, pipeline: Pipeline, layer: Layer, count: int) -> str:
         """Return how something is drawn; what is so by default is left out."""
         what = f"{count // 3} triangles of {layer.value}"
-        parts = [what, pipeline.program.name, pipeline.blend.name, _depth(pipeline)]
+        shading = pipeline.shading
+        program = f"shader {shading.source.name}" if shading else pipeline.program.name
+        parts = [what, program, pipeline.blend.name, _depth(pipeline)]
         if clip := pipeline.clip:
             parts.append(_clip(clip))
         if pipeline.lights:

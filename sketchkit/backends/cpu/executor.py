@@ -22,11 +22,13 @@ from sketchkit.backends.cpu.textures import Texture
 from sketchkit.backends.cpu.triangles import set_up
 from sketchkit.backends.cpu.vertices import TEXTURED, Range, assemble
 from sketchkit.backends.cpu.visibility import draw_visible
+from sketchkit.core.errors import SketchError
 from sketchkit.core.matrix import IDENTITY
 from sketchkit.draw.commands import Clear, Draw, DrawList, DrawMesh, Settle, Upload
 from sketchkit.draw.meshes import Mesh
 from sketchkit.draw.pipeline import Blend, Pipeline
 from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.shading import ShaderSource
 from sketchkit.draw.vertex import U8, VertexBlock
 
 MOST_PARTS = 16  # more runs of opaque and translucent triangles than this are drawn as one
@@ -64,6 +66,19 @@ class CpuBackend:
                     block = part.mesh.blocks[part.layer]
                     whole = Range(part.first, part.count, modelview, part.weight_scale)
                     self._draw(pipeline, block, whole)
+
+    def prepare(self, source: ShaderSource) -> None:
+        """Refuse a shader of the sketch's.
+
+        Raises
+        ------
+        SketchError
+            Always: GLSL is for graphics cards.
+        """
+        raise SketchError(
+            f"The CPU renderer does not run shaders, and {source.name} is one.",
+            hint="Draw with OpenGL: --renderer gl.",
+        )
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""

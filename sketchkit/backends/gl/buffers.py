@@ -9,10 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.backends.gl.programs import COLUMNS
+from sketchkit.backends.gl.sketch_programs import SketchProgram
 from sketchkit.draw.meshes import Edit, Mesh
 from sketchkit.draw.pipeline import Program
-from sketchkit.draw.vertex import Layer, VertexBlock
+from sketchkit.draw.vertex import CUSTOM, Layer, VertexBlock
 
+AnyProgram = Program | SketchProgram
 RING = 3  # as many copies, used in turn: the driver may still be drawing from the last ones
 SMALLEST = 1 << 12
 
@@ -57,6 +59,7 @@ def columns_of(block: VertexBlock) -> dict[str, NDArray[np.generic]]:
             "emissive": block.materials.emissive,
             "shininess": block.materials.shininess,
         }
+    columns |= {CUSTOM + name: column for name, column in block.custom.items()}
     return {name: column for name, column in columns.items() if column is not None}
 
 
@@ -66,17 +69,25 @@ class _LayerBuffers:
     def __init__(self, context: moderngl.Context) -> None:
         self._context = context
         self._buffers: dict[str, moderngl.Buffer] = {}
-        self._arrays: dict[Program, moderngl.VertexArray] = {}
+        self._arrays: dict[tuple[AnyProgram, frozenset[str]], moderngl.VertexArray] = {}
+        self._block: VertexBlock | None = None
+        self._present: frozenset[str] = frozenset()
 
     def upload(self, block: VertexBlock) -> None:
         """Write a block's columns and indices."""
-        for name, column in {**columns_of(block), "index": block.indices}.items():
-            buffer = self._buffers.get(name)
-            if buffer is None or buffer.size < column.nbytes:
-                size = max(SMALLEST, 1 << (column.nbytes - 1).bit_length()) if column.nbytes else 0
-                self._replace(name, max(size, SMALLEST))
-                buffer = self._buffers[name]
-            buffer.write(np.ascontiguousarray(column))
+        self._block = block
+        columns = columns_of(block)
+        self._present = frozenset(columns)
+        for name, column in {**columns, "index": block.indices}.items():
+            self._write(name, column)
+
+    def _write(self, name: str, column: NDArray[np.generic]) -> None:
+        buffer = self._buffers.get(name)
+        if buffer is None or buffer.size < column.nbytes:
+            size = max(SMALLEST, 1 << (column.nbytes - 1).bit_length()) if column.nbytes else 0
+            self._replace(name, max(size, SMALLEST))
+            buffer = self._buffers[name]
+        buffer.write(np.ascontiguousarray(column))
 
     def change(self, block: VertexBlock, edit: Edit) -> None:
         """Write the vertices of one column that an edit names."""
@@ -102,18 +113,39 @@ class _LayerBuffers:
             self._buffers[name].release()
         self._buffers[name] = self._context.buffer(reserve=size, dynamic=True)
 
-    def array(self, program: Program, compiled: moderngl.Program) -> moderngl.VertexArray:
-        """Return the columns that a program reads, bound to it."""
-        if program not in self._arrays:
-            names = ("position", "color", *COLUMNS[program])
-            # A column that the compiler found unused is not bound.
-            content = [
-                (self._buffers[name], _FORMATS[name], name) for name in names if name in compiled
-            ]
-            self._arrays[program] = self._context.vertex_array(
+    def array(self, program: AnyProgram, compiled: moderngl.Program) -> moderngl.VertexArray:
+        """Return the columns that a program reads, bound to it.
+
+        A column that the compiler found unused, or that the block lacks, is not bound.
+        """
+        key = (program, self._present)
+        if key not in self._arrays:
+            if isinstance(program, Program):
+                content = [self._bound(name, name) for name in COLUMNS[program] if name in compiled]
+            else:
+                content = [
+                    self._bound(column, attribute, is_whole=is_whole)
+                    for attribute, column, is_whole in program.attributes()
+                    if column in self._present
+                ]
+            self._arrays[key] = self._context.vertex_array(
                 compiled, content, index_buffer=self._buffers["index"], index_element_size=4
             )
-        return self._arrays[program]
+        return self._arrays[key]
+
+    def _bound(
+        self, column: str, attribute: str, *, is_whole: bool = False
+    ) -> tuple[moderngl.Buffer, str, str]:
+        """Return a column as a vertex array takes it, as whole numbers if a shader wants those."""
+        if not column.startswith(CUSTOM):
+            return self._buffers[column], _FORMATS[column], attribute
+        assert self._block is not None
+        values = self._block.custom[column.removeprefix(CUSTOM)]
+        if is_whole:
+            column = f"whole {column}"
+            self._write(column, values.astype(np.int32))
+        kind = "i4" if is_whole else "f4"
+        return self._buffers[column], f"{values.shape[1]}{kind}", attribute
 
 
 class Buffers:
@@ -132,13 +164,13 @@ class Buffers:
             self._ring[self._turn][layer].upload(block)
 
     def array(
-        self, layer: Layer, program: Program, compiled: moderngl.Program
+        self, layer: Layer, program: AnyProgram, compiled: moderngl.Program
     ) -> moderngl.VertexArray:
         """Return a layer's columns bound to a program."""
         return self._ring[self._turn][layer].array(program, compiled)
 
     def mesh_array(
-        self, mesh: Mesh, layer: Layer, program: Program, compiled: moderngl.Program
+        self, mesh: Mesh, layer: Layer, program: AnyProgram, compiled: moderngl.Program
     ) -> moderngl.VertexArray:
         """Return the columns of a mesh bound to a program; what has changed is sent first."""
         held = self._meshes.get(mesh)

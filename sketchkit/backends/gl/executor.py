@@ -9,14 +9,16 @@ import moderngl
 from sketchkit.backends.gl.buffers import Buffers
 from sketchkit.backends.gl.context import headless_context, window_context
 from sketchkit.backends.gl.programs import Programs, compile_pair, set_modelview, set_uniforms
+from sketchkit.backends.gl.sketch_programs import SketchProgram, SketchPrograms
 from sketchkit.backends.gl.targets import Surfaces
 from sketchkit.backends.gl.textures import Textures
 from sketchkit.backends.gl.turning import FindFunction, Turning
 from sketchkit.core.matrix import IDENTITY, Affine
 from sketchkit.draw.commands import Clear, Draw, DrawList, DrawMesh, Settle, Upload
 from sketchkit.draw.meshes import Mesh, MeshPart
-from sketchkit.draw.pipeline import Blend, Clip, Pipeline
-from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.pipeline import Blend, Clip, Pipeline, Program
+from sketchkit.draw.resources import Pixels, Target, Texture
+from sketchkit.draw.shading import ShaderSource
 from sketchkit.draw.vertex import U8
 
 
@@ -61,11 +63,13 @@ class GlBackend:
         self.origin = origin
         self._turning = Turning(context, find)
         self._programs = Programs(context)
+        self._sketch_programs = SketchPrograms(context)
         self._buffers = Buffers(context)
         self._surfaces = Surfaces(context)
         self._textures = Textures(context)
         self._show: moderngl.VertexArray | None = None
         self._first_sample: moderngl.VertexArray | None = None
+        self._copy: moderngl.VertexArray | None = None
 
     @classmethod
     def headless(cls) -> GlBackend:
@@ -116,8 +120,7 @@ class GlBackend:
                     self._bind(command.pipeline)
                     bound, placed = command.pipeline, None
                 if (placing := _placing(command)) != placed:
-                    program = self._programs.get(bound.program)
-                    set_modelview(program, bound.projection, *placing)
+                    self._place(bound, placing)
                     placed = placing
                 self._draw(command)
                 continue
@@ -151,6 +154,13 @@ class GlBackend:
         surface = self._surfaces.get(command.target)
         surface.settle(self.context, command.how, self._first_sample)
 
+    def _turning_copy(self) -> moderngl.VertexArray:
+        """Return what draws a texture over a framebuffer, upside down."""
+        if self._copy is None:
+            self._copy = self._whole_screen("copy")
+            self._copy.program["y_sign"] = -1.0
+        return self._copy
+
     def _whole_screen(self, fragment: str) -> moderngl.VertexArray:
         """Return a triangle over the whole framebuffer, drawn by a fragment shader."""
         program = compile_pair(self.context, "show", fragment)
@@ -158,11 +168,31 @@ class GlBackend:
         return self.context.vertex_array(program, [])
 
     def _bind(self, pipeline: Pipeline) -> None:
+        """Make ready to draw; images first: to have the picture of a canvas may take drawing."""
+        shading = pipeline.shading
+        if pipeline.texture is not None:
+            self._use_texture(0, pipeline.texture, pipeline)
+        elif shading is not None:
+            self._textures.use_nothing(0)
+        own = None
+        if shading is not None:
+            own = self._sketch_programs.get(shading.source, pipeline.program)
+            for unit, texture in own.textures(shading.uniforms.values):
+                self._use_texture(unit, texture, pipeline)
+        self._set_state(pipeline)
+        y_sign = self._turning.turn(top_row_first=pipeline.target.top_row_first)
+        if own is None:
+            set_uniforms(self._programs.get(pipeline.program), pipeline, y_sign)
+        else:
+            own.set_pipeline(pipeline, y_sign)
+
+    def _set_state(self, pipeline: Pipeline) -> None:
+        """Choose the framebuffer, and how what is drawn meets what is there."""
         context, target = self.context, pipeline.target
         framebuffer = self._surfaces.get(target).begin_drawing()
         framebuffer.use()
         framebuffer.depth_mask = pipeline.depth_write
-        framebuffer.scissor = _scissor(target, pipeline.clip)  # type: ignore[assignment] # the same
+        framebuffer.scissor = _scissor(target, pipeline.clip)  # type: ignore[assignment] # the stubs forget None
         (context.enable if pipeline.depth_test else context.disable)(moderngl.DEPTH_TEST)
         context.depth_func = "<="
         (context.enable if pipeline.culls_backs else context.disable)(moderngl.CULL_FACE)
@@ -172,19 +202,38 @@ class GlBackend:
         alpha = (moderngl.ONE, moderngl.ZERO if replaces else moderngl.ONE)
         context.blend_equation = rule.equation, moderngl.FUNC_ADD
         context.blend_func = (rule.source, rule.destination, *alpha)  # type: ignore[assignment] # the stubs know pairs alone
-        match pipeline.texture:
-            case Target():
-                picture = self._surfaces.get(pipeline.texture).picture(context, target)
-                self._textures.use_picture(picture, pipeline.wrap)
-                framebuffer.use()
-            case Pixels():
-                self._textures.use(pipeline.texture, pipeline.wrap)
-        y_sign = self._turning.turn(top_row_first=target.top_row_first)
-        set_uniforms(self._programs.get(pipeline.program), pipeline, y_sign)
+
+    def _use_texture(self, unit: int, texture: Texture, pipeline: Pipeline) -> None:
+        """Bind an image, or the picture of a canvas, to a texture unit."""
+        if isinstance(texture, Pixels):
+            self._textures.use(texture, pipeline.wrap, unit)
+            return
+        self._turning.reset()
+        surface = self._surfaces.get(texture)
+        # A shader of the sketch's finds row 0 of a canvas at the bottom, as in Processing.
+        if pipeline.shading is not None and texture.top_row_first:
+            picture = surface.turned(self.context, self._turning_copy())
+        else:
+            picture = surface.picture(self.context, pipeline.target)
+        self._textures.use_picture(picture, pipeline.wrap, unit)
+
+    def _place(self, pipeline: Pipeline, placing: Placing) -> None:
+        """Give a pipeline's program what takes vertices to eye space."""
+        if pipeline.shading is None:
+            program = self._programs.get(pipeline.program)
+            set_modelview(program, pipeline.projection, *placing)
+        else:
+            own = self._sketch_programs.get(pipeline.shading.source, pipeline.program)
+            own.set_placing(pipeline, *placing)
 
     def _draw(self, command: Draw | DrawMesh) -> None:
-        program = command.pipeline.program
-        compiled = self._programs.get(program)
+        pipeline = command.pipeline
+        if pipeline.shading is None:
+            program: Program | SketchProgram = pipeline.program
+            compiled = self._programs.get(pipeline.program)
+        else:
+            program = self._sketch_programs.get(pipeline.shading.source, pipeline.program)
+            compiled = program.compiled
         if isinstance(command, Draw):
             drawn: Draw | MeshPart = command
             array = self._buffers.array(command.layer, program, compiled)
@@ -192,6 +241,17 @@ class GlBackend:
             drawn = command.part
             array = self._buffers.mesh_array(drawn.mesh, drawn.layer, program, compiled)
         array.render(moderngl.TRIANGLES, vertices=drawn.count, first=drawn.first)
+
+    def prepare(self, source: ShaderSource) -> None:
+        """Compile a shader of the sketch's.
+
+        Raises
+        ------
+        SketchError
+            If it does not compile, with the line of the sketch's own file.
+        """
+        with self.context:
+            self._sketch_programs.get(source, Program.FLAT)
 
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""

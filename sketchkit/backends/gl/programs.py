@@ -29,15 +29,16 @@ _FILES: dict[Program, tuple[str, str]] = {
     Program.LINE: ("line", "color"),
     Program.POINT: ("point", "color"),
 }
-_LIT_COLUMNS = ("normal", "ambient", "specular", "emissive", "shininess")
-# What each program reads of a vertex, besides its place and colour.
+_COLUMNS = ("position", "color")
+_LIT_COLUMNS = (*_COLUMNS, "normal", "ambient", "specular", "emissive", "shininess")
+# What each program reads of a vertex.
 COLUMNS: dict[Program, tuple[str, ...]] = {
-    Program.FLAT: (),
-    Program.TEXTURED: ("uv",),
+    Program.FLAT: _COLUMNS,
+    Program.TEXTURED: (*_COLUMNS, "uv"),
     Program.LIT: _LIT_COLUMNS,
-    Program.TEXTURED_LIT: ("uv", *_LIT_COLUMNS),
-    Program.LINE: ("direction",),
-    Program.POINT: ("offset",),
+    Program.TEXTURED_LIT: (*_LIT_COLUMNS, "uv"),
+    Program.LINE: (*_COLUMNS, "direction"),
+    Program.POINT: (*_COLUMNS, "offset"),
 }
 
 

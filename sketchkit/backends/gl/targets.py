@@ -20,6 +20,7 @@ class Surface:
         self.version = target.version
         self._target = weakref.ref(target)
         self._copy: moderngl.Framebuffer | None = None
+        self._turned: moderngl.Framebuffer | None = None
         self._is_averaged = self._is_spread = False
         self.image = context.texture(size, 4)
         """One sample a pixel: the average, or what is drawn on when there is only one."""
@@ -61,6 +62,21 @@ class Surface:
         copy = self._copy.color_attachments[0]
         assert isinstance(copy, moderngl.Texture)
         return copy
+
+    def turned(self, context: moderngl.Context, copy: moderngl.VertexArray) -> moderngl.Texture:
+        """Return the picture with its rows the other way round; `copy` draws a texture so."""
+        image = self.average(context)
+        if self._turned is None:
+            self._turned = context.framebuffer([context.texture(image.size, 4)])
+        self._turned.use()
+        context.disable(moderngl.DEPTH_TEST | moderngl.BLEND | moderngl.CULL_FACE)
+        context.clear_samplers()
+        image.filter = (moderngl.NEAREST, moderngl.NEAREST)
+        image.use(location=0)
+        copy.render(moderngl.TRIANGLES, vertices=3)
+        turned = self._turned.color_attachments[0]
+        assert isinstance(turned, moderngl.Texture)
+        return turned
 
     def upload(
         self, context: moderngl.Context, target: Target, data: U8, left: int, top: int
@@ -131,8 +147,9 @@ class Surface:
         if self._colors is not None:
             self._colors.release()
             self.framebuffer.release()
-        if self._copy is not None:
-            self._copy.release()
+        for made in (self._copy, self._turned):
+            if made is not None:
+                made.release()
         self._averaged.release()
         self.image.release()
         self.depth.release()

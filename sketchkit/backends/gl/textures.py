@@ -18,17 +18,24 @@ class Textures:
         self._textures: weakref.WeakKeyDictionary[Pixels, tuple[moderngl.Texture, int]] = (
             weakref.WeakKeyDictionary()
         )
+        self._black: moderngl.Texture | None = None
         self._samplers: dict[tuple[Wrap, bool], moderngl.Sampler] = {}
 
-    def use(self, pixels: Pixels, wrap: Wrap) -> None:
-        """Bind an image to the first texture unit."""
-        self._get(pixels).use(location=0)
-        self._sampler(wrap, mipmaps=pixels.mipmaps).use(location=0)
+    def use(self, pixels: Pixels, wrap: Wrap, unit: int = 0) -> None:
+        """Bind an image to a texture unit."""
+        self._get(pixels).use(location=unit)
+        self._sampler(wrap, mipmaps=pixels.mipmaps).use(location=unit)
 
-    def use_picture(self, picture: moderngl.Texture, wrap: Wrap) -> None:
-        """Bind the picture of a canvas to the first texture unit."""
-        picture.use(location=0)
-        self._sampler(wrap, mipmaps=False).use(location=0)
+    def use_nothing(self, unit: int) -> None:
+        """Let a texture unit be black."""
+        if self._black is None:
+            self._black = self._context.texture((1, 1), 4, bytes((0, 0, 0, 255)))
+        self._black.use(location=unit)
+
+    def use_picture(self, picture: moderngl.Texture, wrap: Wrap, unit: int = 0) -> None:
+        """Bind the picture of a canvas to a texture unit."""
+        picture.use(location=unit)
+        self._sampler(wrap, mipmaps=False).use(location=unit)
 
     def _get(self, pixels: Pixels) -> moderngl.Texture:
         texture, version = self._textures.get(pixels, (None, -1))
