@@ -320,7 +320,7 @@ class ShapeParts(Pen):
         if not self._meshes:
             return
         mesh = self._meshes[0].mesh
-        if any(part.mesh is mesh for part in canvas._recorder.parts):
+        if mesh in canvas._recorder.meshes:
             canvas._renderer.flush()  # what was drawn with the old values keeps them
         with_ambient = self._style.material.ambient < 0
         for quality, color in self._repaints.items():

@@ -211,6 +211,7 @@ class RetainedShapes(CanvasParts):
         modelview = mat.multiply(self._modelview, matrix)
         state = recorder.keep_state(self._style, self._stage, modelview)
         recorder.parts.append(scaled(part, matrix))
+        recorder.meshes.add(part.mesh)
         recorder.make_room()
         link = len(recorder.parts) - 1
         pack_row0(recorder.rows, recorder.row_end, MESH, state, 0, 0, 0.0, link)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from sketchkit.core.matrix import Affine
 from sketchkit.core.style import Material, Style
-from sketchkit.draw.meshes import MeshPart
+from sketchkit.draw.meshes import Mesh, MeshPart
 from sketchkit.draw.resources import Texture
 from sketchkit.draw.stage import Stage
 
@@ -188,6 +188,8 @@ class Recorder:
         Of images, which have no shape.
     parts : list of MeshPart
         Of retained shapes.
+    meshes : set of Mesh
+        Those of `parts`.
     normals : (n, 3) float32 or None
         Of all corners, instead of those of `attributes`: of what was given in bulk, or edited.
     """
@@ -197,6 +199,7 @@ class Recorder:
         "corner_end",
         "corners",
         "matrices",
+        "meshes",
         "normals",
         "parts",
         "row_end",
@@ -226,6 +229,7 @@ class Recorder:
         self.shapes: list[ShapeRun] = []
         self.textures: list[Texture] = []
         self.parts: list[MeshPart] = []
+        self.meshes: set[Mesh] = set()
         self.normals: NDArray[np.float32] | None = None
 
     def part(self, first: int, last: int) -> Recorder:

@@ -48,11 +48,11 @@ NEWER_FUNCTIONS = frozenset(
     bitCount bitfieldExtract bitfieldInsert bitfieldReverse findLSB findMSB
     packUnorm2x16 packSnorm2x16 packUnorm4x8 packSnorm4x8 packHalf2x16 packDouble2x32
     unpackUnorm2x16 unpackSnorm2x16 unpackUnorm4x8 unpackSnorm4x8 unpackHalf2x16
-    umulExtended imulExtended uaddCarry usubBorrow mix min max abs sign clamp
+    umulExtended imulExtended uaddCarry usubBorrow
     interpolateAtCentroid interpolateAtSample interpolateAtOffset
     imageLoad imageStore imageSize barrier
     """.split()
-) - {"mix", "min", "max", "abs", "sign", "clamp"}  # those a shader overloads with its own types
+)
 
 # Words that a later version, or one to come, has kept for itself: as names they are renamed.
 RESERVED = frozenset(
@@ -84,50 +84,70 @@ class Legacy(NamedTuple):
 
     Attributes
     ----------
+    name : str
+        What it is called instead.
     declaration : str
-        What stands for it, without its name.
+        Without the name's end: `out vec4 sk_FragData` is followed by `size`.
+    size : str
+        Of an array, in brackets.
     fed_by : tuple of str
-        Processing's names for what it holds; empty, if the other stage fills it.
+        Processing's names for what it holds; none, if the other stage fills it.
     """
 
+    name: str
     declaration: str
+    size: str = ""
     fed_by: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The whole declaration."""
+        return f"{self.declaration} {self.name}{self.size};"
+
+
+def _given(name: str, declaration: str, *fed_by: str) -> Legacy:
+    return Legacy(name, declaration, fed_by=fed_by)
 
 
 _BOTH = {
-    "gl_ModelViewMatrix": Legacy("uniform mat4 {}", ("modelview", "modelviewMatrix")),
-    "gl_ProjectionMatrix": Legacy("uniform mat4 {}", ("projection", "projectionMatrix")),
-    "gl_ModelViewProjectionMatrix": Legacy("uniform mat4 {}", ("transform", "transformMatrix")),
-    "gl_NormalMatrix": Legacy("uniform mat3 {}", ("normalMatrix",)),
+    "gl_ModelViewMatrix": _given("sk_ModelView", "uniform mat4", "modelview", "modelviewMatrix"),
+    "gl_ProjectionMatrix": _given("sk_Projection", "uniform mat4", "projection", "projectionMatrix"),
+    "gl_ModelViewProjectionMatrix": _given(
+        "sk_Transform", "uniform mat4", "transform", "transformMatrix"
+    ),
+    "gl_NormalMatrix": _given("sk_NormalMatrix", "uniform mat3", "normalMatrix"),
 }
 LEGACY_VARIABLES = {
     "vertex": _BOTH
     | {
-        "gl_Vertex": Legacy("in vec4 {}", ("position", "vertex")),
-        "gl_Normal": Legacy("in vec3 {}", ("normal",)),
-        "gl_Color": Legacy("in vec4 {}", ("color",)),
-        "gl_MultiTexCoord0": Legacy("in vec4 {}", ("texCoord",)),
-        "gl_FrontColor": Legacy("out vec4 {}"),
-        "gl_TexCoord": Legacy("out vec4 {}[8]"),
+        "gl_Vertex": _given("sk_Vertex", "in vec4", "position", "vertex"),
+        "gl_Normal": _given("sk_Normal", "in vec3", "normal"),
+        "gl_Color": _given("sk_Color", "in vec4", "color"),
+        "gl_MultiTexCoord0": _given("sk_MultiTexCoord0", "in vec4", "texCoord"),
+        "gl_FrontColor": Legacy("sk_FrontColor", "out vec4"),
+        "gl_TexCoord": Legacy("sk_TexCoord", "out vec4", "[8]"),
     },
     "fragment": _BOTH
     | {
-        "gl_FragColor": Legacy("out vec4 {}"),
-        "gl_FragData": Legacy("out vec4 {}[gl_MaxDrawBuffers]"),
-        "gl_Color": Legacy("in vec4 {}"),
-        "gl_TexCoord": Legacy("in vec4 {}[8]"),
+        "gl_FragColor": Legacy("sk_FragColor", "out vec4"),
+        "gl_FragData": Legacy("sk_FragData", "out vec4", "[gl_MaxDrawBuffers]"),
+        "gl_Color": Legacy("sk_FrontColor", "in vec4"),
+        "gl_TexCoord": Legacy("sk_TexCoord", "in vec4", "[8]"),
     },
 }
-# Where the two stages have two names for one variable, ours is the first one's.
-LEGACY_TWINS = {"gl_Color": "gl_FrontColor"}
 
-# What is different when the picture's first row is its top; GL counts rows from the bottom.
-TURNED_VARIABLES = {
-    "gl_FragCoord": "vec4 sk_FragCoord = vec4(gl_FragCoord.x, sk_is_turned > 0.5 ? "
-    "sk_height - gl_FragCoord.y : gl_FragCoord.y, gl_FragCoord.zw);",
-    "gl_FrontFacing": "bool sk_FrontFacing = gl_FrontFacing != (sk_is_turned > 0.5);",
-    "dFdy": " ".join(
-        f"{kind} sk_DFdy({kind} p) {{ return dFdy(p) * (1.0 - 2.0 * sk_is_turned); }}"
-        for kind in ("float", "vec2", "vec3", "vec4")
+# What differs where the picture's first row is its top: in OpenGL rows count from the bottom.
+TURNED = {
+    "gl_FragCoord": (
+        "sk_FragCoord",
+        "vec4 sk_FragCoord = vec4(gl_FragCoord.x, sk_is_turned > 0.5 ? "
+        "sk_height - gl_FragCoord.y : gl_FragCoord.y, gl_FragCoord.zw);",
+    ),
+    "dFdy": (
+        "sk_dFdy",
+        " ".join(
+            f"{kind} sk_dFdy({kind} p) {{ return dFdy(p) * (1.0 - 2.0 * sk_is_turned); }}"
+            for kind in ("float", "vec2", "vec3", "vec4")
+        ),
     ),
 }

@@ -8,13 +8,12 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.backends.gl.programs import COLUMNS
+from sketchkit.backends.gl.programs import BuiltInProgram
 from sketchkit.backends.gl.sketch_programs import SketchProgram
 from sketchkit.draw.meshes import Edit, Mesh
-from sketchkit.draw.pipeline import Program
 from sketchkit.draw.vertex import CUSTOM, Layer, VertexBlock
 
-AnyProgram = Program | SketchProgram
+AnyProgram = BuiltInProgram | SketchProgram
 RING = 3  # as many copies, used in turn: the driver may still be drawing from the last ones
 SMALLEST = 1 << 12
 
@@ -113,28 +112,25 @@ class _LayerBuffers:
             self._buffers[name].release()
         self._buffers[name] = self._context.buffer(reserve=size, dynamic=True)
 
-    def array(self, program: AnyProgram, compiled: moderngl.Program) -> moderngl.VertexArray:
-        """Return the columns that a program reads, bound to it.
-
-        A column that the compiler found unused, or that the block lacks, is not bound.
-        """
+    def array(self, program: AnyProgram) -> moderngl.VertexArray:
+        """Return the columns that a program reads, bound to it; those that the block has."""
         key = (program, self._present)
         if key not in self._arrays:
-            if isinstance(program, Program):
-                content = [self._bound(name, name) for name in COLUMNS[program] if name in compiled]
-            else:
-                content = [
-                    self._bound(column, attribute, is_whole=is_whole)
-                    for attribute, column, is_whole in program.attributes()
-                    if column in self._present
-                ]
+            content = [
+                self._bound(column, attribute, is_whole=is_whole)
+                for attribute, column, is_whole in program.attributes()
+                if column in self._present
+            ]
             self._arrays[key] = self._context.vertex_array(
-                compiled, content, index_buffer=self._buffers["index"], index_element_size=4
+                program.compiled,
+                content,
+                index_buffer=self._buffers["index"],
+                index_element_size=4,
             )
         return self._arrays[key]
 
     def _bound(
-        self, column: str, attribute: str, *, is_whole: bool = False
+        self, column: str, attribute: str, *, is_whole: bool
     ) -> tuple[moderngl.Buffer, str, str]:
         """Return a column as a vertex array takes it, as whole numbers if a shader wants those."""
         if not column.startswith(CUSTOM):
@@ -163,21 +159,17 @@ class Buffers:
         for layer, block in blocks.items():
             self._ring[self._turn][layer].upload(block)
 
-    def array(
-        self, layer: Layer, program: AnyProgram, compiled: moderngl.Program
-    ) -> moderngl.VertexArray:
+    def array(self, layer: Layer, program: AnyProgram) -> moderngl.VertexArray:
         """Return a layer's columns bound to a program."""
-        return self._ring[self._turn][layer].array(program, compiled)
+        return self._ring[self._turn][layer].array(program)
 
-    def mesh_array(
-        self, mesh: Mesh, layer: Layer, program: AnyProgram, compiled: moderngl.Program
-    ) -> moderngl.VertexArray:
+    def mesh_array(self, mesh: Mesh, layer: Layer, program: AnyProgram) -> moderngl.VertexArray:
         """Return the columns of a mesh bound to a program; what has changed is sent first."""
         held = self._meshes.get(mesh)
         if held is None:
             held = self._meshes[mesh] = _MeshBuffers(self._context)
         held.update(mesh)
-        return held.layers[layer].array(program, compiled)
+        return held.layers[layer].array(program)
 
     def forget(self, mesh: Mesh) -> None:
         """Release a mesh's buffers."""

@@ -8,7 +8,7 @@ import moderngl
 
 from sketchkit.backends.gl.buffers import Buffers
 from sketchkit.backends.gl.context import headless_context, window_context
-from sketchkit.backends.gl.programs import Programs, compile_pair, set_modelview, set_uniforms
+from sketchkit.backends.gl.programs import BuiltInProgram, Programs, compile_pair
 from sketchkit.backends.gl.sketch_programs import SketchProgram, SketchPrograms
 from sketchkit.backends.gl.targets import Surfaces
 from sketchkit.backends.gl.textures import Textures
@@ -120,7 +120,7 @@ class GlBackend:
                     self._bind(command.pipeline)
                     bound, placed = command.pipeline, None
                 if (placing := _placing(command)) != placed:
-                    self._place(bound, placing)
+                    self._program(bound).set_placing(bound, *placing)
                     placed = placing
                 self._draw(command)
                 continue
@@ -174,17 +174,13 @@ class GlBackend:
             self._use_texture(0, pipeline.texture, pipeline)
         elif shading is not None:
             self._textures.use_nothing(0)
-        own = None
-        if shading is not None:
-            own = self._sketch_programs.get(shading.source, pipeline.program)
-            for unit, texture in own.textures(shading.uniforms.values):
+        program = self._program(pipeline)
+        if shading is not None and isinstance(program, SketchProgram):
+            for unit, texture in program.textures(shading.uniforms.values):
                 self._use_texture(unit, texture, pipeline)
         self._set_state(pipeline)
         y_sign = self._turning.turn(top_row_first=pipeline.target.top_row_first)
-        if own is None:
-            set_uniforms(self._programs.get(pipeline.program), pipeline, y_sign)
-        else:
-            own.set_pipeline(pipeline, y_sign)
+        program.set_pipeline(pipeline, y_sign)
 
     def _set_state(self, pipeline: Pipeline) -> None:
         """Choose the framebuffer, and how what is drawn meets what is there."""
@@ -217,29 +213,20 @@ class GlBackend:
             picture = surface.picture(self.context, pipeline.target)
         self._textures.use_picture(picture, pipeline.wrap, unit)
 
-    def _place(self, pipeline: Pipeline, placing: Placing) -> None:
-        """Give a pipeline's program what takes vertices to eye space."""
+    def _program(self, pipeline: Pipeline) -> BuiltInProgram | SketchProgram:
+        """Return the program that a pipeline is drawn with."""
         if pipeline.shading is None:
-            program = self._programs.get(pipeline.program)
-            set_modelview(program, pipeline.projection, *placing)
-        else:
-            own = self._sketch_programs.get(pipeline.shading.source, pipeline.program)
-            own.set_placing(pipeline, *placing)
+            return self._programs.get(pipeline.program)
+        return self._sketch_programs.get(pipeline.shading.source, pipeline.program)
 
     def _draw(self, command: Draw | DrawMesh) -> None:
-        pipeline = command.pipeline
-        if pipeline.shading is None:
-            program: Program | SketchProgram = pipeline.program
-            compiled = self._programs.get(pipeline.program)
-        else:
-            program = self._sketch_programs.get(pipeline.shading.source, pipeline.program)
-            compiled = program.compiled
+        program = self._program(command.pipeline)
         if isinstance(command, Draw):
             drawn: Draw | MeshPart = command
-            array = self._buffers.array(command.layer, program, compiled)
+            array = self._buffers.array(command.layer, program)
         else:
             drawn = command.part
-            array = self._buffers.mesh_array(drawn.mesh, drawn.layer, program, compiled)
+            array = self._buffers.mesh_array(drawn.mesh, drawn.layer, program)
         array.render(moderngl.TRIANGLES, vertices=drawn.count, first=drawn.first)
 
     def prepare(self, source: ShaderSource) -> None:

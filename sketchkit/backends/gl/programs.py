@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import moderngl
 
 from sketchkit.backends.gl.glsl import source
-from sketchkit.core.lights import MOST_LIGHTS, Light, LightKind
+from sketchkit.core.lights import MOST_LIGHTS, Light, LightKind, LightRig
 from sketchkit.core.matrix import (
     Affine,
-    Mat4,
     multiply4,
     normal_matrix,
     to_mat4,
@@ -29,6 +28,7 @@ _FILES: dict[Program, tuple[str, str]] = {
     Program.LINE: ("line", "color"),
     Program.POINT: ("point", "color"),
 }
+LIT = (Program.LIT, Program.TEXTURED_LIT)
 _COLUMNS = ("position", "color")
 _LIT_COLUMNS = (*_COLUMNS, "normal", "ambient", "specular", "emissive", "shininess")
 # What each program reads of a vertex.
@@ -42,17 +42,80 @@ COLUMNS: dict[Program, tuple[str, ...]] = {
 }
 
 
+class BuiltInProgram:
+    """One of our own programs, in one context.
+
+    Attributes
+    ----------
+    compiled : moderngl.Program
+    """
+
+    def __init__(self, compiled: moderngl.Program, columns: Sequence[str]) -> None:
+        self.compiled = compiled
+        self._uniforms = {
+            name: member
+            for name in compiled
+            if isinstance(member := compiled[name], moderngl.Uniform)
+        }
+        self._columns = [name for name in columns if name in list(compiled)]
+        self._written: dict[str, object] = {}
+        self._lights: LightRig | None = None
+
+    def attributes(self) -> Iterator[tuple[str, str, bool]]:
+        """Yield each attribute that it reads, the column for it, and whether that is of ints."""
+        for name in self._columns:
+            yield name, name, False
+
+    def set_pipeline(self, pipeline: Pipeline, y_sign: float) -> None:
+        """Give it the values of a pipeline; -1 for `y_sign` turns the picture over."""
+        target = pipeline.target
+        self._write(
+            {
+                "projection": transpose4(pipeline.projection),  # GLSL has columns for our rows
+                "y_sign": y_sign,
+                "v_range": _v_range(pipeline.texture),
+                "viewport": (target.width, target.height),
+                "line_scale": pipeline.line_scale,
+                "perspective": pipeline.stroke_perspective,
+            }
+        )
+        if pipeline.program in LIT and pipeline.lights is not self._lights:
+            self._write(_light_values(pipeline.lights))
+            self._lights = pipeline.lights
+
+    def set_placing(self, pipeline: Pipeline, modelview: Affine, weight_scale: float) -> None:
+        """Give it what takes vertices to eye space: what is there already has the identity."""
+        full = to_mat4(modelview)
+        self._write(
+            {
+                "transform": transpose4(multiply4(pipeline.projection, full)),
+                "modelview": transpose4(full),
+                "normal_matrix": transpose3(normal_matrix(modelview)),
+                "weight_scale": weight_scale,
+            }
+        )
+
+    def _write(self, values: Mapping[str, object]) -> None:
+        """Write those values that the program has a use for and that are not there already."""
+        for name, value in values.items():
+            uniform = self._uniforms.get(name)
+            if uniform is not None and self._written.get(name) != value:
+                uniform.value = value
+                self._written[name] = value
+
+
 class Programs:
     """The built-in programs of one context."""
 
     def __init__(self, context: moderngl.Context) -> None:
         self._context = context
-        self._compiled: dict[Program, moderngl.Program] = {}
+        self._compiled: dict[Program, BuiltInProgram] = {}
 
-    def get(self, program: Program) -> moderngl.Program:
+    def get(self, program: Program) -> BuiltInProgram:
         """Return a program, compiled when it is first used."""
         if program not in self._compiled:
-            self._compiled[program] = compile_pair(self._context, *_FILES[program])
+            compiled = compile_pair(self._context, *_FILES[program])
+            self._compiled[program] = BuiltInProgram(compiled, COLUMNS[program])
         return self._compiled[program]
 
 
@@ -61,40 +124,6 @@ def compile_pair(context: moderngl.Context, vertex: str, fragment: str) -> moder
     return context.program(
         vertex_shader=source(f"{vertex}.vert"), fragment_shader=source(f"{fragment}.frag")
     )
-
-
-def set_uniforms(program: moderngl.Program, pipeline: Pipeline, y_sign: float) -> None:
-    """Give a program the values of a pipeline; -1 for `y_sign` turns the picture over."""
-    target = pipeline.target
-    values: dict[str, object] = {
-        "projection": transpose4(pipeline.projection),  # GLSL has columns where we have rows
-        "y_sign": y_sign,
-        "v_range": _v_range(pipeline.texture),
-        "viewport": (target.width, target.height),
-        "line_scale": pipeline.line_scale,
-        "perspective": pipeline.stroke_perspective,
-    }
-    if pipeline.program in (Program.LIT, Program.TEXTURED_LIT):
-        values |= _light_values(pipeline.lights)
-    for name, value in values.items():
-        if name in program:
-            program[name] = value
-
-
-def set_modelview(
-    program: moderngl.Program, projection: Mat4, modelview: Affine, weight_scale: float
-) -> None:
-    """Give a program the values of one mesh; of what is in eye space already: the identity."""
-    full = to_mat4(modelview)
-    values: dict[str, object] = {
-        "transform": transpose4(multiply4(projection, full)),
-        "modelview": transpose4(full),
-        "normal_matrix": transpose3(normal_matrix(modelview)),
-        "weight_scale": weight_scale,
-    }
-    for name, value in values.items():
-        if name in program:
-            program[name] = value
 
 
 def _v_range(texture: Texture | None) -> tuple[float, float]:

@@ -1,0 +1,49 @@
+"""`float a[2] = {1, 2}` written as GLSL before 4.20 takes it: `float a[2] = float[2](1, 2)`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sketchkit.glsl.tokens import Token
+
+
+def with_constructors(tokens: Sequence[Token]) -> list[Token]:
+    """Return tokens where lists in braces without a list inside have become constructors."""
+    result = list(tokens)
+    code = [place for place, token in enumerate(tokens) if token.is_code and not token.directive]
+    for nth in range(1, len(code)):
+        if tokens[code[nth]].text != "{" or tokens[code[nth - 1]].text != "=":
+            continue
+        kind = _declared_type([tokens[place].text for place in code[: nth - 1]])
+        end = _end_of_flat_list([tokens[place].text for place in code[nth:]])
+        if kind and end:
+            opening, closing = code[nth], code[nth + end]
+            result[opening] = tokens[opening]._replace(text=f"{kind}(")
+            result[closing] = tokens[closing]._replace(text=")")
+    return result
+
+
+def _declared_type(before: list[str]) -> str:
+    """Return the type of what is declared at the end of `before`; empty if it is not plain."""
+    left, size = _split_size(before)
+    name, left = left[-1:], left[:-1]
+    left, own_size = _split_size(left)
+    if not name or not left or not (left[-1][0].isalpha() or left[-1][0] == "_"):
+        return ""
+    return left[-1] + "".join(own_size or size)
+
+
+def _split_size(words: list[str]) -> tuple[list[str], list[str]]:
+    """Cut `[n]` off the end."""
+    if words[-1:] != ["]"] or "[" not in words:
+        return words, []
+    at = len(words) - 1 - words[::-1].index("[")
+    return words[:at], words[at:]
+
+
+def _end_of_flat_list(words: list[str]) -> int:
+    """Return where the brace that opens is closed; 0 if others open before."""
+    end = words.index("}") if "}" in words else 0
+    return 0 if "{" in words[1:end] or words[end - 1 : end] == [","] else end
+
+
