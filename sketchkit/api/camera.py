@@ -21,6 +21,7 @@ PLACE_USAGE = "x, y [, z]"
 HINT_USAGE = (
     "DISABLE_DEPTH_TEST | DISABLE_DEPTH_MASK | ENABLE_DEPTH_SORT | ENABLE_STROKE_PERSPECTIVE"
 )
+NEAR_AND_FAR = "a near above 0 and a far beyond it"
 SIDES_THAT_DIFFER = "sides that differ: left and right, bottom and top, near and far"
 FAR = 10.0  # the default camera's clipping planes: its eye's distance times, and by, this
 
@@ -155,13 +156,13 @@ class Camera(CanvasParts):
             numbers = (FIELD_OF_VIEW, aspect, eye / FAR, eye * FAR)
         try:
             fov, aspect, near, far = (value + 0.0 for value in numbers)
+            projection = mat.perspective(fov, aspect, near, far)
         except (TypeError, ValueError):
             self._refuse("perspective", numbers, PERSPECTIVE_USAGE)
-        try:
-            projection = mat.perspective(fov, aspect, near, far)
         except ZeroDivisionError:
-            needs = "fov, aspect and near above 0, and a far beyond near"
-            raise _without_room("perspective", needs, numbers) from None
+            raise _without_room("perspective", NEAR_AND_FAR, numbers) from None
+        if projection is mat.SEES_NOTHING:  # as in many a sketch before the mouse has moved
+            warn_once("perspective() shows nothing through an angle or a width of 0.")
         self._project("perspective", projection, is_perspective=True)
 
     def ortho(self, *numbers: float) -> None:
@@ -396,5 +397,4 @@ class Camera(CanvasParts):
 
 def _without_room(name: str, needs: str, numbers: tuple[float, ...]) -> SketchError:
     """Return the error for a projection that sees a space without width, height or depth."""
-    call = f"{name}({', '.join(map(shown, numbers))})"
-    return SketchError(f"{name}() needs {needs}.", got=call)
+    return SketchError(f"{name}() needs {needs}.", got=f"{name}({', '.join(map(shown, numbers))})")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from sketchkit.api._pen import Pen
 from sketchkit.core import color as colors
 from sketchkit.core import constants as c
@@ -189,7 +191,8 @@ class Color(Pen):
 
         Notes
         -----
-        Parts are rounded. Source: Processing's reference, lerpColor().
+        Parts are rounded, and alpha is a part too: 0 is transparent black, not `color(0)`. Source:
+        Processing's reference, lerpColor().
 
         Examples
         --------
@@ -203,5 +206,6 @@ class Color(Pen):
             self._refuse("lerpColor", (c1, c2, amt), LERPCOLOR_USAGE)
 
     def _packed(self, name: str, value: ColorLike) -> int:
-        """Return a colour that a sketch holds; small numbers are grays, as in `color()`."""
-        return colors.pack(self._color_mode, value, name=name)
+        """Return a colour that a sketch holds: an int is packed, and 0 is a transparent pixel."""
+        is_number = isinstance(value, float) and math.isfinite(value)
+        return colors.to_packed(int(value) if is_number else value, name)

@@ -58,7 +58,7 @@ class Environment(SketchParts):
                 hint="Write size() as the first line of setup().",
             )
         is_file = renderer in WRITERS
-        self._format.renderer = JAVA2D if is_file else known_renderer(renderer)
+        self._format.renderer = JAVA2D if is_file else known_renderer("size", renderer)
         self._format.width, self._format.height = columns, rows
         self._reformat()
         self._host.set_size(columns, rows)
@@ -84,7 +84,7 @@ class Environment(SketchParts):
         """
         self._must_come_before_draw("fullScreen", None)
         renderers = [value for value in which if isinstance(value, str)]
-        self._format.renderer = known_renderer(renderers[0]) if renderers else JAVA2D
+        self._format.renderer = known_renderer("fullScreen", renderers[0]) if renderers else JAVA2D
         self._format.width, self._format.height = self._host.display_size
         self._reformat()
         self._host.set_fullscreen()
@@ -253,8 +253,8 @@ def checked_size(name: str, width: float, height: float, usage: str) -> tuple[in
         If they are no numbers, or too small or too large.
     """
     try:
-        columns, rows = int(width), int(height)
-    except (TypeError, ValueError):
+        columns, rows = int(width + 0), int(height + 0)
+    except (TypeError, ValueError, OverflowError):
         raise wrong_numbers(name, (width, height), usage) from None
     if not (1 <= columns <= LARGEST_SIDE and 1 <= rows <= LARGEST_SIDE):
         raise SketchError(
@@ -264,10 +264,10 @@ def checked_size(name: str, width: float, height: float, usage: str) -> tuple[in
     return columns, rows
 
 
-def known_renderer(renderer: object) -> str:
-    """Return a renderer's name, or raise a SketchError."""
+def known_renderer(name: str, renderer: object) -> str:
+    """Return the renderer that a function was given, or raise a SketchError."""
     if renderer not in RENDERERS:
         raise SketchError(
-            "The third value of size() is P2D or P3D, without quotes.", got=shown(renderer)
+            f"The renderer of {name}() is P2D or P3D, without quotes.", got=shown(renderer)
         )
     return str(renderer)

@@ -31,6 +31,7 @@ from sketchkit.draw.vertex import U8
 
 
 class PGraphics(
+    Shaders,  # before what it overrides: vertices keep texture coordinates for it
     Color,
     Lights,
     Materials,
@@ -43,7 +44,6 @@ class PGraphics(
     Shapes3D,
     Camera,
     Text,
-    Shaders,
 ):
     """A surface to draw on; the window's is one of them."""
 
@@ -198,10 +198,14 @@ class PGraphics(
         self._place_camera(self._camera)
         if self._stage.lights is not None:
             self._restage(lights=None)
+        if self._target.is_noted:
+            self._pack_settle(Settling.NOTE)
         if not self._is_offscreen:  # on others everything stays as it is, samples and depth too
-            how = self._settling(is_looping=is_looping)
-            self._pack_whole(Kind.SETTLE, link=list(Settling).index(how))
+            self._pack_settle(self._settling(is_looping=is_looping))
         self._has_drawn, self._was_cleared = True, False
+
+    def _pack_settle(self, how: Settling) -> None:
+        self._pack_whole(Kind.SETTLE, link=list(Settling).index(how))
 
     def _settling(self, *, is_looping: bool) -> Settling:
         """Return what becomes of the old picture as a frame begins, as in Processing.

@@ -57,7 +57,8 @@ class Offscreen(SketchParts):
         columns, rows = checked_size("createGraphics", w, h, SIZE_USAGE)
         samples = SMOOTH_SAMPLES if self._format.smoothing else 1
         if renderer not in WRITERS:
-            return self.canvas.offscreen(columns, rows, known_renderer(renderer), samples)
+            kind = known_renderer("createGraphics", renderer)
+            return self.canvas.offscreen(columns, rows, kind, samples)
         canvas = self.canvas.offscreen(columns, rows, JAVA2D, samples)
         recording = begin_recording(canvas, renderer, path)
         canvas.when_drawn(lambda: write_recording(recording, self.folder))

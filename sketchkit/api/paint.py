@@ -143,7 +143,8 @@ class Paint(Pen):
         >>> noStroke()
         >>> rect(20, 20, 60, 60)
         """
-        self._stroke = NO_COLOR
+        if self._stroke >= 0:
+            self._stroke = ~self._stroke  # negative: none, but a shape can have it back
 
     def tint(
         self,

@@ -83,11 +83,17 @@ class ShapeCorners(ShapeParts):
         return next((mesh.blocks[layer] for layer in Layer if layer in mesh.blocks), None)
 
     def _made_places(self) -> NDArray[np.float32]:
-        """Return the vertices of a primitive, (n, 3)."""
+        """Return the vertices of a primitive, (n, 3), as Processing counts them."""
+        if self._kind in (c.POINT, c.LINE):
+            numbers: NDArray[np.float32] = self._recorder.row_array()["numbers"][0, :6].copy()
+            return numbers.reshape(2, 3)[: 1 if self._kind == c.POINT else 2]
         block = self._made_block()
         if block is None or block.sources is None:
             return np.zeros((0, 3), np.float32)
-        return block.positions[block.sources >= 0]
+        places = block.positions[block.sources >= 0]
+        if self._kind == c.ELLIPSE:  # its fan ends where it began
+            return np.concatenate([places, places[1:2]])
+        return places
 
     def _place(self, caller: str, index: int) -> Triple:
         if self._is_primitive:

@@ -23,6 +23,7 @@ from sketchkit.draw.meshes import Mesh, MeshPart
 from sketchkit.draw.recorder import Recorder
 from sketchkit.draw.resources import Texture
 from sketchkit.draw.retain import Quality, repaint, retain, revise, shows_corners
+from sketchkit.draw.shading import BUILT_IN
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import Layer
 
@@ -357,4 +358,5 @@ def _resting(canvas: CanvasParts, *, is_3d: bool | None = None) -> Stage:
         depth_sort=False,
         clip=None,
         sighting=canvas._modelview,
+        shadings=BUILT_IN,
     )

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from sketchkit.api._pen import WHITE, Pen
+from sketchkit.api._pen import WHITE, OpenShape, Pen
 from sketchkit.api.images import WHOLE
 from sketchkit.api.paint import check_choice
 from sketchkit.api.pixels import CanvasPixels
 from sketchkit.api.pshader import PShader
 from sketchkit.api.shader_files import ShaderPaths
+from sketchkit.api.textures import begin_uvs
 from sketchkit.assets.paths import find_file
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, kind_of, shown
@@ -106,7 +107,7 @@ class Shaders(CanvasPixels):
         self._follow_shaders()
 
     def resetShader(self, kind: int | None = None) -> None:
-        """Draw with the built-in shaders again; of one kind, or of all.
+        """Draw with the built-in shader again: what is filled, or LINES or POINTS.
 
         Examples
         --------
@@ -115,15 +116,14 @@ class Shaders(CanvasPixels):
         >>> resetShader()
         >>> rect(20, 20, 60, 60)
         """
-        check_choice("resetShader", c.TRIANGLES if kind is None else kind, SLOT_NAMES)
-        slots = set(SLOTS.values()) if kind is None else {SLOTS[kind]}
-        dropped = [shader for slot, shader in self._shaders.items() if slot in slots]
+        kind = c.TRIANGLES if kind is None else kind
+        check_choice("resetShader", kind, SLOT_NAMES)
+        dropped = self._shaders.get(SLOTS[kind])
         self._shaders = {
-            slot: shader for slot, shader in self._shaders.items() if slot not in slots
+            slot: shader for slot, shader in self._shaders.items() if slot != SLOTS[kind]
         }
-        for shader in dropped:
-            if shader not in self._shaders.values():
-                shader._canvases.discard(self)
+        if dropped is not None and dropped not in self._shaders.values():
+            dropped._canvases.discard(self)
         self._follow_shaders()
 
     def filter(self, kind: int | PShader, number: float | None = None) -> None:
@@ -181,6 +181,11 @@ class Shaders(CanvasPixels):
         self._stage, self._modelview = saved
         self._state = -1
         self._want_layer()
+
+    def _begin_uvs(self, shape: OpenShape) -> None:
+        """Keep texture coordinates without a texture too, as long as a shader may read them."""
+        if shape.first_uv is None and "fills" in self._shaders:
+            begin_uvs(self._recorder, shape)
 
     def _check_shader(self, caller: str, shader: object) -> None:
         if not isinstance(shader, PShader):

@@ -12,6 +12,7 @@ from sketchkit.assets.paths import find_file
 from sketchkit.core import constants as c
 from sketchkit.core import matrix as mat
 from sketchkit.core.errors import SketchError, kind_of, shown, wrong_numbers
+from sketchkit.draw.baking import baked
 from sketchkit.draw.recorder import ROW, Kind, pack_row0
 
 MESH = Kind.MESH.value
@@ -208,10 +209,13 @@ class RetainedShapes(CanvasParts):
         self._follow_shaders()
         part, matrix = placed
         recorder = self._recorder
+        recorder.meshes.add(part.mesh)
+        part = scaled(part, matrix)
+        if self._shaders and matrix != mat.IDENTITY:
+            part, matrix = baked(part, matrix), mat.IDENTITY
         modelview = mat.multiply(self._modelview, matrix)
         state = recorder.keep_state(self._style, self._stage, modelview)
-        recorder.parts.append(scaled(part, matrix))
-        recorder.meshes.add(part.mesh)
+        recorder.parts.append(part)
         recorder.make_room()
         link = len(recorder.parts) - 1
         pack_row0(recorder.rows, recorder.row_end, MESH, state, 0, 0, 0.0, link)

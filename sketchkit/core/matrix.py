@@ -21,6 +21,10 @@ Mat3: TypeAlias = tuple[float, ...]  # 9
 IDENTITY: Affine = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 IDENTITY4: Mat4 = (*IDENTITY, 0.0, 0.0, 0.0, 1.0)
 
+# The projection that lays every point behind the far plane. Processing divides by 0 there, and its
+# infinite numbers show nothing; ours stay numbers.
+SEES_NOTHING: Mat4 = (*(0.0,) * 8, *(0.0, 0.0, 0.0, 2.0), *(0.0, 0.0, 0.0, 1.0))
+
 NOTHING = 1.2e-7  # float32's epsilon: Processing takes a squared axis or a length below it for zero
 
 
@@ -262,6 +266,8 @@ def eye_distance(height: float, fov: float) -> float:
 
 def perspective(fov: float, aspect: float, near: float, far: float) -> Mat4:
     """Return the projection of a lens that opens `fov` radians from top to bottom."""
+    if fov == 0 or aspect == 0:
+        return SEES_NOTHING
     top = f32(f32(near) * f32(tan(f32(f32(fov) / 2))))
     side = f32(top * f32(aspect))
     return frustum(-side, side, -top, top, near, far)

@@ -261,6 +261,8 @@ def _pipeline(
 
 def _shading(stage: Stage, layer: Layer, *, is_textured: bool) -> Shading | None:
     """Return the sketch's own shader for a layer, if it has one that serves."""
+    if stage.sighting is not None:
+        return None  # of what is retained: the stage that it is drawn on has its own
     if layer is Layer.LINES:
         return stage.shadings.lines
     if layer is Layer.POINTS:
@@ -285,7 +287,12 @@ def _pull(stage: Stage) -> tuple[float, float, float]:
 
 def _is_settle(commands: list[Command], target: Target) -> bool:
     """Return whether a command only prepares a target's old picture for what follows."""
-    return any(isinstance(command, Settle) and command.target is target for command in commands)
+    return any(
+        isinstance(command, Settle)
+        and command.target is target
+        and command.how is not Settling.NOTE
+        for command in commands
+    )
 
 
 def _append(out: DrawList, draw: Draw) -> None:

@@ -30,6 +30,7 @@ class Settling(Enum):
 
     KEEP = "keep"  # it stays as it is, and depth is reset
     MEAN = "mean"  # all samples of a pixel get their mean; depth stays
+    NOTE = "note"  # it is kept beside, for shaders that read what they draw on
     TURN = "turn"  # all get the first one's value, the rows change places, and depth is reset
 
 

@@ -64,6 +64,8 @@ class Target:
         rule agree with Processing's own frames.
     version : int
         Raised when size or samples change.
+    is_noted : bool
+        Whether a shader may read it while it is drawn on: it then finds the picture of before.
     """
 
     width: int
@@ -71,6 +73,7 @@ class Target:
     samples: int = 4
     top_row_first: bool = True
     version: int = 0
+    is_noted: bool = False
 
     def turn_over(self) -> None:
         """Render it the other way up from now on."""

@@ -12,14 +12,14 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from sketchkit.glsl.tokens import Kind, Token, code_of, directives
-from sketchkit.glsl.words import PRECISIONS
+from sketchkit.glsl.words import PRECISIONS, word_set
 
 STORAGES = ("uniform", "attribute", "varying", "in", "out", "const")
-QUALIFIERS = PRECISIONS | frozenset(
+QUALIFIERS = PRECISIONS | word_set(
     """
     uniform attribute varying in out inout const centroid flat smooth noperspective invariant
     precise sample patch coherent volatile restrict readonly writeonly highp mediump lowp
-    """.split()
+    """
 )
 UNKNOWN_SIZE = 1024  # of an array whose size is no plain number: more than shaders have room for
 

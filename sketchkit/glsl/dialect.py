@@ -10,15 +10,13 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from sketchkit.glsl.initializers import with_constructors
+from sketchkit.glsl.initializers import with_constructors, with_float_returns
 from sketchkit.glsl.naming import Names, choose_names
 from sketchkit.glsl.tokens import Kind, Token, text_of, tokenize
 from sketchkit.glsl.words import INCLUDED_EXTENSIONS, PRECISIONS
 
 FIRST_WITH_IN_AND_OUT = 150  # sources from here on are modern: they keep their words
-FIRST_WITH_BRACES = 420  # that takes `float a[2] = {1, 2}`
-TURN_UNIFORMS = "uniform float sk_height; uniform float sk_is_turned;"
-VERTEX_MAIN = "void main() { sk_main(); gl_Position.y *= sk_y_sign; }"
+FIRST_RELAXED = 420  # that takes `float a[2] = {1, 2}`
 
 
 @dataclass(frozen=True)
@@ -64,8 +62,8 @@ def modernize(source: str, stage: str, version: int) -> Modern:
     tokens = tokenize(_plain(source))
     declared = _declared_version(tokens)
     is_legacy = declared is None or declared < FIRST_WITH_IN_AND_OUT
-    if is_legacy and version < FIRST_WITH_BRACES:
-        tokens = with_constructors(tokens)
+    if is_legacy and version < FIRST_RELAXED:
+        tokens = with_float_returns(with_constructors(tokens))
     names = choose_names(tokens, stage, is_legacy=is_legacy)
     tokens = [names.renamed(tokens, place) for place in range(len(tokens))]
     if is_legacy:
@@ -156,11 +154,11 @@ def _last_line_of_head(tokens: list[Token]) -> int:
     last = depth = 0
     is_pending = False
     for token in tokens:
-        if token.text in ("version", "extension") and token.text == token.directive:
+        if token.directive in ("version", "extension") and token.text.strip():
             is_pending = True
         elif token.text == token.directive and token.text in ("if", "ifdef", "ifndef"):
             depth += 1
-        elif token.text == "endif" == token.directive:
+        elif token.text == token.directive == "endif":
             depth -= 1
         elif token.kind is Kind.NEWLINE and is_pending and depth <= 0:
             last, is_pending = token.line, False
@@ -169,7 +167,9 @@ def _last_line_of_head(tokens: list[Token]) -> int:
 
 def _ascii(text: str) -> str:
     """Return a text without the letters that some drivers refuse even in comments."""
-    return "".join(token.text if token.text.isascii() or token.is_code else
-                   re.sub(r"[^\x00-\x7f]", "?", token.text) for token in tokenize(text))
-
-
+    if text.isascii():
+        return text
+    return "".join(
+        token.text if token.is_code else re.sub(r"[^\x00-\x7f]", "?", token.text)
+        for token in tokenize(text)
+    )

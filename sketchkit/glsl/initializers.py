@@ -1,4 +1,8 @@
-"""`float a[2] = {1, 2}` written as GLSL before 4.20 takes it: `float a[2] = float[2](1, 2)`."""
+"""What 4.20 made shorter, written as GLSL before it takes it.
+
+`float a[2] = {1, 2}` becomes `float a[2] = float[2](1, 2)`, and in a function that returns a float
+`return 1` becomes `return float(1)`.
+"""
 
 from __future__ import annotations
 
@@ -20,6 +24,25 @@ def with_constructors(tokens: Sequence[Token]) -> list[Token]:
             opening, closing = code[nth], code[nth + end]
             result[opening] = tokens[opening]._replace(text=f"{kind}(")
             result[closing] = tokens[closing]._replace(text=")")
+    return result
+
+
+def with_float_returns(tokens: Sequence[Token]) -> list[Token]:
+    """Return tokens where functions of type float convert what they return."""
+    result = list(tokens)
+    code = [place for place, token in enumerate(tokens) if token.is_code and not token.directive]
+    depth, is_float, is_returning = 0, False, False
+    for nth, place in enumerate(code):
+        text = tokens[place].text
+        if depth == 0 and text == "(":
+            is_float = nth >= 2 and tokens[code[nth - 2]].text == "float"
+        depth += {"{": 1, "}": -1}.get(text, 0)
+        if text == "return" and is_float and depth:
+            result[place] = tokens[place]._replace(text="return float(")
+            is_returning = True
+        elif text == ";" and is_returning:
+            result[place] = tokens[place]._replace(text=");")
+            is_returning = False
     return result
 
 
@@ -45,5 +68,3 @@ def _end_of_flat_list(words: list[str]) -> int:
     """Return where the brace that opens is closed; 0 if others open before."""
     end = words.index("}") if "}" in words else 0
     return 0 if "{" in words[1:end] or words[end - 1 : end] == [","] else end
-
-

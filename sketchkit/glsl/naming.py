@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from sketchkit.glsl.declarations import Declarations, read_declarations
 from sketchkit.glsl.interface import uniforms_of
@@ -151,7 +152,7 @@ def _hiding_names(tokens: Sequence[Token], declared: Declarations) -> set[str]:
     """Return names of variables that would hide the functions that read textures."""
     found = {variable.name for variable in declared.variables}
     code = code_of(tokens)
-    for before, token in zip(code, code[1:], strict=False):
+    for before, token in pairwise(code):
         if before.kind is Kind.NAME and before.text not in _NO_TYPES:
             found.add(token.text)
     return found & set(TEXTURE_FUNCTIONS.values())

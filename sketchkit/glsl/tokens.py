@@ -30,12 +30,15 @@ class Token(NamedTuple):
         Where it begins, from 1.
     directive : str
         Of a preprocessor line: `define`, `ifdef`, ..., also in what follows on it; else empty.
+    column : int
+        Where it begins in its line, from 0.
     """
 
     kind: Kind
     text: str
     line: int
     directive: str = ""
+    column: int = 0
 
     @property
     def is_code(self) -> bool:
@@ -59,7 +62,7 @@ _DIRECTIVE_NAME = re.compile(r"\s*([a-z]*)")
 
 def tokenize(source: str) -> list[Token]:
     """Return the tokens of a text; any text has some."""
-    tokens, line, directive, at_start = [], 1, "", True
+    tokens, line, start, directive, at_start = [], 1, 0, "", True
     for found in _PATTERN.finditer(source):
         kind, text = Kind[found.lastgroup or "SYMBOL"], found[0]
         if kind is Kind.NEWLINE:
@@ -68,8 +71,9 @@ def tokenize(source: str) -> list[Token]:
             name = _DIRECTIVE_NAME.match(source, found.end())
             directive = (name and name[1]) or "#"
         at_start = at_start and kind in (Kind.NEWLINE, Kind.SPACE, Kind.COMMENT)
-        tokens.append(Token(kind, text, line, directive))
-        line += len(_LINE_END.findall(text))
+        tokens.append(Token(kind, text, line, directive, found.start() - start))
+        for end in _LINE_END.finditer(text):
+            line, start = line + 1, found.start() + end.end()
     return tokens
 
 

@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+
+def word_set(text: str) -> frozenset[str]:
+    """Return the words of a text: long lists are read best without commas and quotes."""
+    return frozenset(text.split())
+
+
 # The functions that read textures are now all called by what they do, not by the sampler.
 _SAMPLERS = ("1D", "2D", "3D", "Cube", "2DRect", "1DArray", "2DArray")
 _ENDINGS = ("", "ARB", "EXT")
@@ -37,7 +43,7 @@ def shadow_function(name: str) -> str | None:
 
 
 # Functions built in since 1.30: a shader's own function of such a name is renamed.
-NEWER_FUNCTIONS = frozenset(
+NEWER_FUNCTIONS = word_set(
     """
     acosh asinh atanh cosh sinh tanh round roundEven trunc modf isnan isinf
     determinant inverse transpose outerProduct
@@ -51,31 +57,31 @@ NEWER_FUNCTIONS = frozenset(
     umulExtended imulExtended uaddCarry usubBorrow
     interpolateAtCentroid interpolateAtSample interpolateAtOffset
     imageLoad imageStore imageSize barrier
-    """.split()
+    """
 )
 
 # Words that a later version, or one to come, has kept for itself: as names they are renamed.
-RESERVED = frozenset(
+RESERVED = word_set(
     """
     active asm atomic_uint buffer cast class coherent common enum extern external filter fixed
     flat fvec2 fvec3 fvec4 goto half hvec2 hvec3 hvec4 image1D image2D image3D imageCube inline
     input interface layout long namespace noinline noperspective output packed partition patch
     precise public readonly resource restrict sample shared short sizeof smooth static subroutine
     superp template this typedef union unsigned using volatile writeonly
-    """.split()
+    """
 )
 
 PRECISIONS = frozenset(("lowp", "mediump", "highp"))
 
 # Extensions whose work 3.30 does by itself.
-INCLUDED_EXTENSIONS = frozenset(
+INCLUDED_EXTENSIONS = word_set(
     """
     GL_ARB_draw_buffers GL_ARB_draw_instanced GL_ARB_explicit_attrib_location
     GL_ARB_fragment_coord_conventions GL_ARB_shader_bit_encoding GL_ARB_shader_texture_lod
     GL_ARB_texture_rectangle GL_ARB_uniform_buffer_object GL_ATI_shader_texture_lod
     GL_EXT_draw_buffers GL_EXT_frag_depth GL_EXT_gpu_shader4 GL_EXT_shader_texture_lod
     GL_EXT_texture_array GL_OES_standard_derivatives GL_OES_texture_3D
-    """.split()
+    """
 )
 
 
@@ -111,7 +117,9 @@ def _given(name: str, declaration: str, *fed_by: str) -> Legacy:
 
 _BOTH = {
     "gl_ModelViewMatrix": _given("sk_ModelView", "uniform mat4", "modelview", "modelviewMatrix"),
-    "gl_ProjectionMatrix": _given("sk_Projection", "uniform mat4", "projection", "projectionMatrix"),
+    "gl_ProjectionMatrix": _given(
+        "sk_Projection", "uniform mat4", "projection", "projectionMatrix"
+    ),
     "gl_ModelViewProjectionMatrix": _given(
         "sk_Transform", "uniform mat4", "transform", "transformMatrix"
     ),

@@ -33,3 +33,17 @@ def test_refused_color_mode_changes_nothing(flat):
         flat.colorMode(HSB, "a")
 
     assert flat.color(255, 0, 0) == 0xFFFF0000
+
+
+class TestPartsOfInts:
+    """An int that a sketch holds is packed, however small; measured with Processing."""
+
+    def test_a_transparent_pixel_has_no_alpha(self, flat):
+        assert [flat.alpha(0), flat.red(128), flat.blue(128)] == [0, 0, 128]
+
+    def test_between_small_ints_alpha_stays_nothing(self, flat):
+        assert flat.lerpColor(0, 100, 0.5) == 50
+        assert flat.lerpColor(255, flat.color(255, 0, 0), 0.5) == 0x80800080
+
+    def test_a_fraction_is_cut_off(self, flat):
+        assert flat.lerpColor(0, 100.9, 0.5) == 50

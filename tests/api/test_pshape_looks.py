@@ -110,6 +110,16 @@ class TestColours:
         assert [pixel(canvas, x) for x in (18, 21, 25)] == [GREEN, GREEN, WHITE]
         assert s.getStrokeWeight(0) == 6
 
+    def test_stroke_that_the_sketch_had_put_off(self, canvas, is_drawn):
+        canvas.stroke(0, 255, 0)
+        canvas.noStroke()
+        canvas.strokeWeight(6)
+        s = canvas.createShape(RECT, 20, 20, 40, 40)
+
+        self.show(canvas, s, is_drawn, lambda s: s.setStroke(True))
+
+        assert [pixel(canvas, x) for x in (18, 21, 25)] == [GREEN, GREEN, WHITE]
+
     def test_tint_of_a_texture(self, canvas, is_drawn):
         picture = canvas.createImage(4, 4, RGB)
         picture.np_pixels[:] = 255

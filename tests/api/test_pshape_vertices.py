@@ -6,11 +6,15 @@ import pytest
 
 from sketchkit.api.pvector import PVector
 from sketchkit.core.constants import (
+    ARC,
     BOX,
     CLOSE,
+    ELLIPSE,
     GROUP,
+    LINE,
     LINES,
     NORMAL,
+    POINT,
     POINTS,
     POLYGON,
     QUADS,
@@ -63,16 +67,31 @@ class TestReading:
         ("kind", "numbers", "count"),
         [
             (RECT, (10, 20, 30, 40), 4),
+            (POINT, (1, 2), 1),
+            (LINE, (1, 2, 30, 40), 2),
             (TRIANGLE, (1, 2, 30, 4, 5, 60), 3),
+            (ELLIPSE, (20, 15, 40, 30), 33),
+            (ARC, (20, 15, 40, 30, 0.3, 4), 21),
             (BOX, (10,), 24),
             (SPHERE, (10,), 959),
         ],
-        ids=["RECT", "TRIANGLE", "BOX", "SPHERE"],
+        ids=["RECT", "POINT", "LINE", "TRIANGLE", "ELLIPSE", "ARC", "BOX", "SPHERE"],
     )
     def test_primitive_has_as_many_as_in_processing(self, deep, kind, numbers, count):
         s = deep.createShape(kind, *numbers)
 
         assert s.getVertexCount() == count
+
+    def test_line_has_its_ends(self, flat):
+        s = flat.createShape(LINE, 1, 2, 30, 40)
+
+        assert [tuple(s.getVertex(i)) for i in range(2)] == [(1, 2, 0), (30, 40, 0)]
+
+    def test_ellipse_ends_where_its_rim_began(self, flat):
+        s = flat.createShape(ELLIPSE, 20, 15, 40, 30)
+
+        rim = [s.getVertexX(i) for i in (0, 1, s.getVertexCount() - 1)]
+        assert rim == [20, 40, 40]
 
     def test_corners_of_a_rectangle_go_clockwise(self, flat):
         s = flat.createShape(RECT, 10, 20, 30, 40)

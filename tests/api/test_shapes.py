@@ -11,7 +11,9 @@ from sketchkit.core.constants import (
     CENTER,
     CORNER,
     CORNERS,
+    DISABLE_STROKE_PERSPECTIVE,
     ELLIPSE,
+    ENABLE_STROKE_PERSPECTIVE,
     GROUP,
     JAVA2D,
     P2D,
@@ -194,6 +196,16 @@ class TestWhatIsDrawn:
 
         lines = [draw.part for draw in mesh_draws(deep) if draw.part.layer is Layer.LINES]
         assert [part.weight_scale for part in lines] == pytest.approx([1, 3])
+
+    def test_hint_for_strokes_does_not_reach_back_to_a_shape(self, deep):
+        s = deep.createShape(BOX, 10)
+        deep.shape(s)
+        deep.hint(ENABLE_STROKE_PERSPECTIVE)
+        deep.shape(s)
+        deep.hint(DISABLE_STROKE_PERSPECTIVE)
+
+        lines = [draw.pipeline for draw in mesh_draws(deep) if draw.part.layer is Layer.LINES]
+        assert [pipeline.stroke_perspective for pipeline in lines] == [False, True]
 
     def test_lines_are_not_thicker_under_a_scale_of_the_sketch(self, deep):
         deep.scale(3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from sketchkit.core.constants import RECT
 from sketchkit.core.matrix import IDENTITY
 from sketchkit.core.style import NO_COLOR, Style
 from sketchkit.draw.recorder import (
@@ -142,3 +143,28 @@ def test_cleared_recorder_is_empty():
 
     assert len(recorder.row_array()) == 0
     assert recorder.styles == recorder.stages == recorder.matrices == []
+
+
+def test_stage_is_replaced_from_a_state_on():
+    recorder = Recorder()
+    old, new = Stage(Target(9, 9)), Stage(Target(9, 9))
+    for _ in range(3):
+        recorder.keep_state(Style(), old, IDENTITY)
+
+    recorder.replace_stage(old, new, first=1)
+
+    assert [stage is new for stage in recorder.stages] == [False, True, True]
+
+
+def test_states_behind_the_last_row_of_a_kind_begin_after_its_own(flat):
+    recorder = flat._recorder
+    flat.rect(0, 0, 9, 9)
+    flat.shape(flat.createShape(RECT, 0, 0, 9, 9))
+    flat.translate(1, 0)
+    flat.rect(0, 0, 9, 9)
+
+    first = recorder.first_state_after(Kind.MESH)
+
+    rows = recorder.row_array()
+    assert rows["state"][rows["state"] >= first].tolist() == rows["state"][-1:].tolist()
+    assert recorder.first_state_after(Kind.IMAGE) == 0

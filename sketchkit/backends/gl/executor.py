@@ -14,7 +14,7 @@ from sketchkit.backends.gl.targets import Surfaces
 from sketchkit.backends.gl.textures import Textures
 from sketchkit.backends.gl.turning import FindFunction, Turning
 from sketchkit.core.matrix import IDENTITY, Affine
-from sketchkit.draw.commands import Clear, Draw, DrawList, DrawMesh, Settle, Upload
+from sketchkit.draw.commands import Clear, Draw, DrawList, DrawMesh, Settle, Settling, Upload
 from sketchkit.draw.meshes import Mesh, MeshPart
 from sketchkit.draw.pipeline import Blend, Clip, Pipeline, Program
 from sketchkit.draw.resources import Pixels, Target, Texture
@@ -148,6 +148,9 @@ class GlBackend:
         framebuffer.scissor = None  # type: ignore[assignment] # the same
 
     def _settle(self, command: Settle) -> None:
+        if command.how is Settling.NOTE:
+            self._surfaces.get(command.target).note(self.context, self._turning_copy())
+            return
         if self._first_sample is None:
             self._first_sample = self._whole_screen("sample")
         self.context.clear_samplers()

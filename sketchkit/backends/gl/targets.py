@@ -21,6 +21,7 @@ class Surface:
         self._target = weakref.ref(target)
         self._copy: moderngl.Framebuffer | None = None
         self._turned: moderngl.Framebuffer | None = None
+        self._previous: moderngl.Framebuffer | None = None
         self._is_averaged = self._is_spread = False
         self.image = context.texture(size, 4)
         """One sample a pixel: the average, or what is drawn on when there is only one."""
@@ -77,6 +78,28 @@ class Surface:
         turned = self._turned.color_attachments[0]
         assert isinstance(turned, moderngl.Texture)
         return turned
+
+    def note(self, context: moderngl.Context, copy: moderngl.VertexArray) -> None:
+        """Keep the picture beside, row 0 at the bottom, for what is drawn from now on."""
+        target = self._target()
+        if self._previous is None:
+            self._previous = context.framebuffer([context.texture(self.image.size, 4)])
+        if target is not None and target.top_row_first:
+            self.turned(context, copy)
+            assert self._turned is not None
+            context.copy_framebuffer(self._previous, self._turned)
+        else:
+            self.average(context)
+            context.copy_framebuffer(self._previous, self._averaged)
+
+    @property
+    def previous(self) -> moderngl.Texture | None:
+        """The picture that was kept; None before there was one."""
+        if self._previous is None:
+            return None
+        previous = self._previous.color_attachments[0]
+        assert isinstance(previous, moderngl.Texture)
+        return previous
 
     def upload(
         self, context: moderngl.Context, target: Target, data: U8, left: int, top: int
@@ -147,7 +170,7 @@ class Surface:
         if self._colors is not None:
             self._colors.release()
             self.framebuffer.release()
-        for made in (self._copy, self._turned):
+        for made in (self._copy, self._turned, self._previous):
             if made is not None:
                 made.release()
         self._averaged.release()

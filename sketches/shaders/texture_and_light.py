@@ -1,0 +1,51 @@
+"""Texture and light: a planet, whose picture the light makes bright or dark."""
+# check: compare frames=1,30
+
+planet = None
+shade = None
+
+
+def setup():
+    global planet, shade
+    size(560, 420, P3D)
+    noStroke()
+    sphereDetail(48)
+    planet = createShape(SPHERE, 140)
+    planet.setTexture(createClouds(256, 128))
+    shade = loadShader("texlight.frag", "texlight.vert")
+
+
+def draw():
+    background(10, 10, 22)
+    drawStars()
+    pointLight(255, 255, 255, -100, 20, 420)
+    shader(shade)
+    translate(width / 2, height / 2)
+    rotateZ(0.3)
+    rotateY(frameCount * 0.01)
+    shape(planet)
+    resetShader()
+
+
+def drawStars():
+    randomSeed(4)
+    for i in range(120):
+        fill(random(80, 255))
+        rect(random(width), random(height), 2, 2)
+
+
+def createClouds(columns, rows):
+    """Return bands of cloud; their edges are frayed by noise()."""
+    bands = ["#E8C9A0", "#C98F5E", "#F3E2C4", "#A8643C", "#DDB483", "#F0D9B5", "#B97A4E", "#E3C196"]
+    picture = createImage(columns, rows, RGB)
+    picture.loadPixels()
+    for y in range(rows):
+        for x in range(columns):
+            # noise() is taken around a circle, so that left and right edge fit together.
+            angle = TWO_PI * x / columns
+            frayed = noise(2 + cos(angle) * 1.5, 2 + sin(angle) * 1.5, y * 0.06)
+            band = constrain(y / rows * 7 + 1.3 * (frayed - 0.5), 0, 6.99)
+            tone = lerpColor(color(bands[int(band)]), color(bands[int(band) + 1]), band % 1)
+            picture.pixels[y * columns + x] = tone
+    picture.updatePixels()
+    return picture
