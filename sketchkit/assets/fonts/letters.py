@@ -28,6 +28,10 @@ from sketchkit.core.style import Typeface
 if TYPE_CHECKING:
     from PIL import ImageFont
 
+# The older way of reading hints is Java's; only thus are % and " the same to the last bit. It has
+# to be chosen before anyone, the sketch too, loads FreeType.
+os.environ.setdefault("FREETYPE_PROPERTIES", "truetype:interpreter-version=35")
+
 U8 = NDArray[np.uint8]
 
 OUTLINES = (".ttf", ".otf", ".ttc")
@@ -222,9 +226,6 @@ def open_outlines(source: str | io.BytesIO, size: float) -> ImageFont.FreeTypeFo
     OSError
         If it is none.
     """
-    # The older way of reading hints is Java's; only thus are % and " the same to the last bit. It
-    # has to be chosen before FreeType is loaded.
-    os.environ.setdefault("FREETYPE_PROPERTIES", "truetype:interpreter-version=35")
     from PIL import ImageFont  # 40 ms to import, and most sketches write nothing
 
     # The basic layout puts letter after letter, as Processing does.

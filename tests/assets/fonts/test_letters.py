@@ -1,3 +1,6 @@
+import subprocess
+import sys
+
 import pytest
 
 from sketchkit.assets.fonts.letters import BLANK, check_font, letters_of
@@ -61,3 +64,19 @@ def test_what_is_no_font_is_told(tmp_path):
 
     with pytest.raises(SketchError, match=r"letters\.ttf cannot be read"):
         check_font(str(path))
+
+
+def test_letters_look_the_same_in_a_sketch_that_uses_pillow_s_fonts_itself():
+    program = """
+import sketchkit.api.graphics
+{imported}
+from sketchkit.assets.fonts.letters import letters_of
+from sketchkit.core.style import Typeface
+print(letters_of(Typeface()).shape("%", 14, is_hinted=True).mask.tolist())
+"""
+    with_pillow, without = (
+        subprocess.check_output([sys.executable, "-c", program.format(imported=imported)])
+        for imported in ("from PIL import ImageFont", "")
+    )
+
+    assert with_pillow == without
