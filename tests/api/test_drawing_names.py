@@ -27,8 +27,10 @@ JAVA_ALONE = {
     *((("PImage", name)) for name in ("checkAlpha", "getImage", "getNative", "init", "loadTGA")),
     *(("PImage", f"getModified{edge}") for edge in ("X1", "X2", "Y1", "Y2")),
     *(("PImage", name) for name in ("isLoaded", "isModified", "setLoaded", "setModified")),
+    *(("PShader", name) for name in ("init", "setFragmentShader", "setVertexShader")),
     *(("PShape", name) for name in ("set3D", "setFamily", "setKind", "setPath")),
     ("", "PGraphicsOpenGL"),
+    ("PShader", "glProgram"),  # a number for the calls of OpenGL in beginPGL()
 }
 
 
