@@ -101,6 +101,14 @@ class Goldens:
             self._failures.keep(kept, expected, actual, remark)
             pytest.fail(f"{name}, drawn by {label}: {remark}", pytrace=False)
 
+    def check_own_near(
+        self, name: str, actual: U8, *, tolerance: int, least_share: float, label: str
+    ) -> None:
+        """Compare so with a picture that is ours; it is written if it is missing."""
+        if self._is_updating or not (self._folder / name).exists():
+            self.check_picture(name, actual)
+        self.check_near(name, actual, tolerance=tolerance, least_share=least_share, label=label)
+
     def _write(self, path: Path, write: Callable[[], object]) -> None:
         is_new = not path.exists()
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -12,7 +12,6 @@ from benchmarks.table import largest_spread, results_table
 from benchmarks.workloads import files, title_of
 from sketchkit.runtime.headless import Launch, render
 
-
 # In their second frame: an empty one, a shape that was sent in the first, and pixels.
 SENDING_NOTHING = ("W0", "W5", "W10")
 

@@ -24,6 +24,16 @@ from sketchkit.draw.renderer import Renderer
 from sketchkit.runtime.headless import Launch, opened
 
 API = Path(__file__).parents[1] / "sketchkit" / "api"
+WAVE = """
+uniform float time = 0.5;
+uniform vec3 tone = vec3(0.2, 0.5, 0.9);
+varying vec4 vertColor;
+
+void main() {
+    float height = 0.5 + 0.5 * sin(gl_FragCoord.x * 0.2 + time);
+    gl_FragColor = vec4(tone * height, 1.0) * vertColor;
+}
+"""
 WITH_DOCSTRING = (ast.FunctionDef, ast.ClassDef)
 
 
@@ -64,6 +74,7 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "data" / "house.svg").write_text(
         '<svg width="80" height="80"><rect x="9" y="30" width="60" height="50"/></svg>'
     )
+    (tmp_path / "data" / "wave.glsl").write_text(WAVE, encoding="utf-8")
     photo = np.indices((40, 60, 3)).sum(axis=0).astype(np.uint8)
     Image.fromarray(photo).save(tmp_path / "data" / "photo.png")
     return tmp_path

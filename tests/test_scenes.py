@@ -16,6 +16,7 @@ from sketchkit.assets.paths import set_sketch_folder, sketch_folder
 from sketchkit.backends.cpu.executor import CpuBackend
 from sketchkit.backends.gl.executor import GlBackend
 from sketchkit.backends.listing import ListingBackend
+from sketchkit.core.errors import SketchError
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.vertex import U8
 from sketchkit.runtime.headless import Launch
@@ -39,6 +40,10 @@ def _folder_of_scenes() -> Iterator[None]:
 
 
 every_scene = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
+ON_CPU = {name: scene for name, scene in SCENES.items() if not scene.runs_glsl}
+ON_GL_ALONE = {name: scene for name, scene in SCENES.items() if scene.runs_glsl}
+every_scene_on_cpu = pytest.mark.parametrize("scene", ON_CPU.values(), ids=ON_CPU)
+every_scene_of_shaders = pytest.mark.parametrize("scene", ON_GL_ALONE.values(), ids=ON_GL_ALONE)
 
 
 def render(scene: Scene, backend: Backend) -> U8:
@@ -62,14 +67,14 @@ def test_draw_list_is_as_before(scene: Scene, goldens: Goldens) -> None:
     goldens.check_text(f"trace/{scene.name}.txt", "".join(backend.texts))
 
 
-@every_scene
+@every_scene_on_cpu
 def test_cpu_picture_is_as_before(scene: Scene, goldens: Goldens) -> None:
     picture = on_cpu(scene)
 
     goldens.check_picture(f"image/{scene.name}.png", picture)
 
 
-@every_scene
+@every_scene_on_cpu
 def test_gl_agrees_with_the_cpu(scene: Scene, goldens: Goldens, gl_backend: GlBackend) -> None:
     picture = render(scene, gl_backend)
 
@@ -82,7 +87,7 @@ def test_gl_agrees_with_the_cpu(scene: Scene, goldens: Goldens, gl_backend: GlBa
     )
 
 
-@every_scene
+@every_scene_on_cpu
 def test_cpu_agrees_with_processing(scene: Scene, goldens: Goldens) -> None:
     picture = on_cpu(scene)
 
@@ -108,7 +113,7 @@ def test_gl_agrees_with_processing(scene: Scene, goldens: Goldens, gl_backend: G
     )
 
 
-@every_scene
+@every_scene_on_cpu
 def test_scene_as_a_sketch_draws_the_same(scene: Scene, tmp_path: Path) -> None:
     write(tmp_path, [scene])
     sketch = tmp_path / f"{scene.name}.py"
@@ -116,6 +121,37 @@ def test_scene_as_a_sketch_draws_the_same(scene: Scene, tmp_path: Path) -> None:
     (frame,) = runtime_render(Launch(sketch, refuse), [1], CpuBackend())
 
     assert np.array_equal(frame.pixels, on_cpu(scene)[:, :, :3])
+
+
+@every_scene_of_shaders
+def test_gl_picture_is_as_before(scene: Scene, goldens: Goldens, gl_backend: GlBackend) -> None:
+    picture = render(scene, gl_backend)
+
+    goldens.check_own_near(
+        f"image/{scene.name}.png",
+        picture,
+        tolerance=scene.gl_tolerance,
+        least_share=GL_SHARE,
+        label="gl",
+    )
+
+
+@every_scene_of_shaders
+def test_cpu_refuses_shaders_in_one_sentence(scene: Scene) -> None:
+    with pytest.raises(SketchError, match="does not run shaders"):
+        render(scene, CpuBackend())
+
+
+@every_scene_of_shaders
+def test_scene_of_shaders_as_a_sketch_draws_the_same(
+    scene: Scene, tmp_path: Path, gl_backend: GlBackend
+) -> None:
+    write(tmp_path, [scene])
+    sketch = tmp_path / f"{scene.name}.py"
+
+    (frame,) = runtime_render(Launch(sketch, refuse), [1], gl_backend)
+
+    assert np.array_equal(frame.pixels, render(scene, gl_backend)[:, :, :3])
 
 
 def refuse(path: Path, line: int, text: str) -> None:

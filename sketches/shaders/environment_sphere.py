@@ -32,7 +32,7 @@ def createSphereMap(side):
         for column in range(side):
             x, y = 2 * (column + 0.5) / side - 1, 2 * (row + 0.5) / side - 1
             z = sqrt(max(0, 1 - x * x - y * y))
-            # The eye looks along (0, 0, -1); mirrored at the normal (x, y, z) it looks there:
+            # (0, 0, -1), in which the eye looks, mirrored at the normal (x, y, z):
             picture.set(column, row, landscape(2 * z * x, 2 * z * y, 2 * z * z - 1))
     return picture
 
@@ -50,12 +50,11 @@ def createRing(radius, tube):
     ring = createShape()
     ring.beginShape(QUADS)
     ring.noStroke()
-    for i in range(60):
-        for j in range(30):
-            for around, across in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
-                a, b = TWO_PI * around / 60, TWO_PI * across / 30
-                ring.normal(cos(a) * cos(b), sin(a) * cos(b), sin(b))
-                r = radius + tube * cos(b)
-                ring.vertex(r * cos(a), r * sin(a), tube * sin(b))
+    for i in range(60 * 30):
+        for around, across in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            a, b = TWO_PI * (i // 30 + around) / 60, TWO_PI * (i + across) / 30
+            ring.normal(cos(a) * cos(b), sin(a) * cos(b), sin(b))
+            r = radius + tube * cos(b)
+            ring.vertex(r * cos(a), r * sin(a), tube * sin(b))
     ring.endShape()
     return ring

@@ -1,13 +1,19 @@
-"""Morph targets: a face; every vertex knows its place in three expressions, the shader blends."""
+"""Morph targets: a face in three moods; each vertex knows its places in all, the shader blends."""
 # check: compare frames=1,30
 
-face = None
-morph = None
+# Calm, glad and surprised: middle (x, y), half the width, how it bends, half the height.
+eye = ((62, -45, 34, 0, 27), (62, -45, 34, 0, 19), (62, -45, 34, 0, 42))
+pupil = ((62, -45, 14, 0, 11), (62, -45, 14, 0, 8), (62, -45, 14, 0, 18))
+brow = ((62, -98, 40, 6, 6), (62, -104, 40, 14, 6), (62, -128, 40, 20, 6))
+mouth = ((0, 80, 62, -4, 5), (0, 99, 96, -52, 22), (0, 78, 34, 0, 40))
+face, morph = None, None
 
 
 def setup():
     global face, morph
     size(560, 420, P3D)
+    noStroke()
+    fill(246, 150, 96)
     morph = loadShader("color.frag", "morph.vert")
     face = createFace()
 
@@ -18,8 +24,6 @@ def draw():
     morph.set("joy", max(0.0, sin(time)))
     morph.set("surprise", max(0.0, sin(time - PI)))
     translate(width / 2, height / 2)
-    noStroke()
-    fill(246, 150, 96)
     circle(0, 0, 350)
     shader(morph)
     shape(face)
@@ -30,42 +34,27 @@ def createFace():
     face = createShape()
     face.beginShape(QUADS)
     face.noStroke()
-    for side in (-1, 1):
-        face.fill(255)
-        addFeature(face, lambda u, v, mood: eye(u, v, mood, side, 34))
-        face.fill(50, 40, 60)
-        addFeature(face, lambda u, v, mood: eye(u, v, mood, side, 14))
-        addFeature(face, lambda u, v, mood: brow(u, v, mood, side))
-    face.fill(130, 30, 50)
-    addFeature(face, mouth)
+    for moods, tone in ((eye, "#FFFFFF"), (pupil, "#32283C"), (brow, "#32283C")):
+        face.fill(tone)
+        addFeature(face, moods, -1)
+        addFeature(face, moods, 1)
+    face.fill("#821E32")
+    addFeature(face, mouth, 1)
     face.endShape()
     return face
 
 
-def addFeature(face, placeOf):
-    """Add a strip of quads; `placeOf` says where u and v, from -1 to 1, lie in a mood."""
-    steps = 24
-    for i in range(steps):
+def addFeature(face, moods, side):
+    """Add a strip of quads; u and v run from -1 to 1 along it and across."""
+    for i in range(24):
         for right, v in ((0, -1), (1, -1), (1, 1), (0, 1)):
-            u = 2 * (i + right) / steps - 1
-            x, y = placeOf(u, v, "joy")
-            face.attribPosition("joyPlace", x, y, 2)
-            x, y = placeOf(u, v, "surprise")
-            face.attribPosition("surprisePlace", x, y, 2)
-            x, y = placeOf(u, v, "calm")
-            face.vertex(x, y, 2)
+            u = (i + right) / 12 - 1
+            calm, joy, surprise = [placeOf(mood, side, u, v) for mood in moods]
+            face.attribPosition("joyPlace", joy.x, joy.y, 2)
+            face.attribPosition("surprisePlace", surprise.x, surprise.y, 2)
+            face.vertex(calm.x, calm.y, 2)
 
 
-def eye(u, v, mood, side, radius):
-    opened = {"calm": 0.8, "joy": 0.55, "surprise": 1.25}[mood]
-    return side * 62 + radius * u, -45 + v * radius * opened * sqrt(1 - u * u)
-
-
-def brow(u, v, mood, side):
-    y, bend = {"calm": (-98, 6), "joy": (-104, 14), "surprise": (-128, 20)}[mood]
-    return side * 62 + 40 * u, y + bend * u * u + 5 * v
-
-
-def mouth(u, v, mood):
-    wide, bend, opened = {"calm": (62, -4, 5), "joy": (96, -52, 22), "surprise": (34, 0, 40)}[mood]
-    return wide * u, 78 - bend * 0.4 + bend * u * u + v * opened * sqrt(1 - u * u)
+def placeOf(mood, side, u, v):
+    x, y, wide, bend, high = mood
+    return PVector(side * x + wide * u, y + bend * u * u + high * v * sqrt(1 - u * u))

@@ -10,7 +10,7 @@ def setup():
     size(560, 420, P3D)
     noStroke()
     textureMode(NORMAL)
-    stones = createStones(160, 120, 20)
+    stones = createStones(8, 6, 20)
     wall = loadShader("normals.frag", "normals.vert")
     wall.set("normals", createNormals(stones))  # a second picture, by a name of our own
 
@@ -18,7 +18,8 @@ def setup():
 def draw():
     background(20)
     angle = frameCount * 0.05
-    pointLight(255, 236, 200, width * (0.5 + 0.3 * cos(angle)), height * (0.5 + 0.3 * sin(angle)), 90)
+    lampX, lampY = width / 2 + 170 * cos(angle), height / 2 + 120 * sin(angle)
+    pointLight(255, 236, 200, lampX, lampY, 90)
     shader(wall)
     beginShape(QUADS)
     texture(stones)
@@ -30,17 +31,17 @@ def draw():
     resetShader()
 
 
-def createStones(columns, rows, cell):
-    """Return heights: a pixel is the higher, the more it is nearest to one stone's middle alone."""
-    shifts = [(random(cell), random(cell)) for i in range(columns * rows // cell**2)]
-    picture = createImage(columns, rows, RGB)
-    for y in range(rows):
-        for x in range(columns):
+def createStones(across, down, cell):
+    """Return heights: a stone lies in each cell of a grid, and is low where the next one begins."""
+    middles = {(i, j): (random(cell), random(cell)) for i in range(across) for j in range(down)}
+    picture = createImage(across * cell, down * cell, RGB)
+    for y in range(picture.height):
+        for x in range(picture.width):
             gaps = []
             for i in range(x // cell - 1, x // cell + 2):
                 for j in range(y // cell - 1, y // cell + 2):
-                    right, down = shifts[i % (columns // cell) + j % (rows // cell) * (columns // cell)]
-                    gaps.append(dist(x, y, i * cell + right, j * cell + down))
+                    shift = middles[i % across, j % down]  # %: the edges fit together
+                    gaps.append(dist(x, y, i * cell + shift[0], j * cell + shift[1]))
             near, second = sorted(gaps)[:2]
             picture.set(x, y, color(70 + 150 * min(1, (second - near) / 9) + random(12)))
     return picture
@@ -52,8 +53,8 @@ def createNormals(heights):
     picture = createImage(columns, rows, RGB)
     for y in range(rows):
         for x in range(columns):
-            rightRise = red(heights.get((x + 1) % columns, y)) - red(heights.get(x - 1, y))
-            downRise = red(heights.get(x, (y + 1) % rows)) - red(heights.get(x, y - 1))
-            n = PVector(-rightRise, -downRise, 70).normalize()
+            left, right = heights.get((x - 1) % columns, y), heights.get((x + 1) % columns, y)
+            above, below = heights.get(x, (y - 1) % rows), heights.get(x, (y + 1) % rows)
+            n = PVector(red(left) - red(right), red(above) - red(below), 70).normalize()
             picture.set(x, y, color(128 + 127 * n.x, 128 + 127 * n.y, 128 + 127 * n.z))
     return picture

@@ -36,7 +36,7 @@ def drawStars():
 
 def createClouds(columns, rows):
     """Return bands of cloud; their edges are frayed by noise()."""
-    bands = ["#E8C9A0", "#C98F5E", "#F3E2C4", "#A8643C", "#DDB483", "#F0D9B5", "#B97A4E", "#E3C196"]
+    bands = ["#F0D9B5", "#A8643C", "#F3E2C4", "#C98F5E", "#8F5A3A", "#F5E6CE", "#B9714A"]
     picture = createImage(columns, rows, RGB)
     picture.loadPixels()
     for y in range(rows):
@@ -44,8 +44,8 @@ def createClouds(columns, rows):
             # noise() is taken around a circle, so that left and right edge fit together.
             angle = TWO_PI * x / columns
             frayed = noise(2 + cos(angle) * 1.5, 2 + sin(angle) * 1.5, y * 0.06)
-            band = constrain(y / rows * 7 + 1.3 * (frayed - 0.5), 0, 6.99)
-            tone = lerpColor(color(bands[int(band)]), color(bands[int(band) + 1]), band % 1)
-            picture.pixels[y * columns + x] = tone
+            band = y / rows * 12 + 2 * frayed
+            first, second = bands[int(band) % 7], bands[int(band + 1) % 7]
+            picture.pixels[y * columns + x] = lerpColor(color(first), color(second), band % 1)
     picture.updatePixels()
     return picture

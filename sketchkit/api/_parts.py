@@ -33,6 +33,9 @@ class HasShading(Protocol):
 
     _canvases: WeakSet[RecordsRows]
 
+    @property
+    def _follows_images(self) -> bool: ...
+
     def _shading(self) -> Shading: ...
 
 
@@ -108,9 +111,13 @@ class CanvasParts(Pen):
 
     def _note_state(self) -> int:
         """Keep style, stage and matrix as they are now, with the shaders' values."""
-        if self._shaders:
-            self._follow_shaders()
-        return super()._note_state()
+        if not self._shaders:
+            return super()._note_state()
+        self._follow_shaders()
+        state = super()._note_state()
+        if any(shader._follows_images for shader in self._shaders.values()):
+            self._state = -1  # look again before the next row
+        return state
 
     def _follow_shaders(self) -> None:
         """Let the stage have the shaders in force, with the values that they have now."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import TracebackType
+from typing import Self
 
 from sketchkit.api._parts import BACKDROP, TRANSPARENT
 from sketchkit.api._pen import Block
@@ -45,7 +47,24 @@ class PGraphics(
     Camera,
     Text,
 ):
-    """A surface to draw on; the window's is one of them."""
+    """A surface to draw on: the window's is one, and `createGraphics()` makes others.
+
+    It has every drawing function of a sketch as a method, a style and a camera of its own.
+
+    Notes
+    -----
+    Source: Processing's reference, PGraphics.
+
+    Examples
+    --------
+    >>> pg = createGraphics(60, 60, P2D)
+    >>> with pg:
+    ...     pg.background(0, 60, 90)
+    ...     pg.circle(30, 30, 40)
+    >>> isinstance(pg, PGraphics)
+    True
+    >>> image(pg, 20, 20)
+    """
 
     @property
     def width(self) -> int:
@@ -95,7 +114,7 @@ class PGraphics(
         return canvas
 
     def beginDraw(self) -> Block:
-        """Begin to draw on a canvas of `createGraphics()`; `with pg.beginDraw():` ends it too.
+        """Begin to draw on a canvas of `createGraphics()`; `with pg:` ends it too.
 
         See Also
         --------
@@ -110,7 +129,7 @@ class PGraphics(
         Examples
         --------
         >>> pg = createGraphics(60, 60, P2D)
-        >>> with pg.beginDraw():
+        >>> with pg.beginDraw():  # or: with pg
         ...     pg.circle(30, 30, 40)
         >>> image(pg, 20, 20)
         """
@@ -134,6 +153,19 @@ class PGraphics(
         for call in self._when_drawn:
             self._renderer.flush()
             call()
+
+    def __enter__(self) -> Self:
+        """Begin to draw: `with pg:` is short for `with pg.beginDraw():`."""
+        self.beginDraw()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        Block(self.endDraw).__exit__(kind, error, traceback)
 
     def dispose(self) -> None:
         """Do nothing: `endDraw()` has done all; in Processing it finishes an SVG or PDF file.
@@ -198,7 +230,7 @@ class PGraphics(
         self._place_camera(self._camera)
         if self._stage.lights is not None:
             self._restage(lights=None)
-        if self._target.is_noted:
+        if self._target.is_noted and (self._is_offscreen or self._is_layered):
             self._pack_settle(Settling.NOTE)
         if not self._is_offscreen:  # on others everything stays as it is, samples and depth too
             self._pack_settle(self._settling(is_looping=is_looping))
@@ -211,16 +243,17 @@ class PGraphics(
         """Return what becomes of the old picture as a frame begins, as in Processing.
 
         It draws straight into the window as long as each frame begins with `background()`. After
-        the first frame without one, or after `noLoop()`, it draws into a buffer of its own. That
-        is rendered the other way up, and begins each frame with the averaged old picture and with
-        the old depth; at the change, each pixel has only one of its samples. It shows at edges,
-        and so it is followed here.
+        the first frame without one, or after `noLoop()`, or if a shader wants the picture of
+        before, it draws into a buffer of its own. That is rendered the other way up, and begins
+        each frame with the averaged old picture and with the old depth; at the change, each pixel
+        has only one of its samples. It shows at edges, and so it is followed here.
         """
         if self._stage.is_java2d:
             return Settling.KEEP  # it draws into one image for ever
         if self._is_layered:
             return Settling.MEAN
-        if is_looping and (self._was_cleared or not self._has_drawn):
+        begins_anew = self._was_cleared or not self._has_drawn
+        if is_looping and begins_anew and not self._target.is_noted:
             return Settling.KEEP
         self._renderer.flush()
         self._target.turn_over()

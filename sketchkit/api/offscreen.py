@@ -42,7 +42,7 @@ class Offscreen(SketchParts):
 
         Notes
         -----
-        Draw on it between its `beginDraw()` and `endDraw()`, or `with pg.beginDraw():`. Source:
+        Draw on it between its `beginDraw()` and `endDraw()`, or `with pg:`. Source:
         Processing's reference, createGraphics().
 
         Examples

@@ -30,6 +30,8 @@ class Overlap:
         self._is_processing = is_processing
         self.__name__ = python.__name__
         self.__doc__ = processing.__doc__
+        if "__init__" in vars(python):
+            vars(self)["__init__"] = vars(python)["__init__"]  # for a subclass that calls it
 
     def __call__(self, *args: object, **named: object) -> object:
         """Call one of the two."""

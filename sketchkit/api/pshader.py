@@ -10,14 +10,22 @@ from weakref import WeakSet
 from sketchkit.api.shader_files import ShaderPaths, read_source
 from sketchkit.api.shader_values import numbers_for, textures_for
 from sketchkit.core.errors import SketchError, kind_of, nearest, shown
-from sketchkit.core.notices import warn_once
+from sketchkit.core.notices import calling_place, warn_once
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import RecordsRows
-from sketchkit.draw.shading import ShaderFile, ShaderSource, Shading, Uniforms, UniformValue
+from sketchkit.draw.resources import CubeMap, Target
+from sketchkit.draw.shading import (
+    PREVIOUS,
+    ShaderFile,
+    ShaderSource,
+    Shading,
+    Uniforms,
+    UniformValue,
+)
 from sketchkit.glsl.interface import Declared
 
 ELEMENT = re.compile(r"(.+)\[(\d+)\]$")
-FILLED = {"resolution", "viewport"}  # Processing fills these, whatever the sketch sets
+FILLED = {"resolution", "viewport", PREVIOUS}  # Processing fills these, whatever the sketch sets
 
 
 class PShader:
@@ -82,6 +90,7 @@ class PShader:
     ) -> None:
         self._source, self._declared, self._files = source, declared, files
         self._values: dict[str, UniformValue] = {}
+        self._images: dict[str, tuple[object, ...]] = {}
         self._uniforms: Uniforms | None = None
         self._canvases: WeakSet[RecordsRows] = WeakSet()
 
@@ -90,6 +99,9 @@ class PShader:
         assert self._files is not None
         source, declared = self._files.read()
         backend.prepare(source)
+        for name in [n for n in self._values if declared.get(n) != self._declared.get(n)]:
+            del self._values[name]
+            self._images.pop(name, None)
         self._source, self._declared = source, declared
         self._renew()
 
@@ -137,7 +149,15 @@ class PShader:
             return
         if name in FILLED:
             return
-        self._values[name] = self._converted(name, declared, values)
+        if "sampler" in declared.type:
+            value: UniformValue = textures_for(name, declared, values)
+            self._images[name] = values
+            for image in value if isinstance(value, tuple) else (value,):
+                if isinstance(image, Target):
+                    image.is_noted = True  # it may be drawn on with this very shader
+        else:
+            value = numbers_for(name, declared, values)
+        self._values[name] = value
         self._renew()
 
     def _set_element(self, name: str, index: int, values: tuple[object, ...]) -> None:
@@ -150,20 +170,15 @@ class PShader:
             raise SketchError(
                 f"{name} has {declared.length} elements in the shader.", got=f"{name}[{index}]"
             )
-        single = self._converted(name, Declared(declared.type, None), values)
-        if not isinstance(single, tuple):
+        if "sampler" in declared.type:
             raise SketchError("The images of an array are set all at once, as a list.")
+        single = numbers_for(name, Declared(declared.type, None), values)
         size = len(single)
         held = self._values.get(name, (0.0,) * (size * declared.length))
         assert isinstance(held, tuple)
         parts = [*held[: index * size], *single, *held[(index + 1) * size :]]
         self._values[name] = tuple(parts)
         self._renew()
-
-    def _converted(self, name: str, declared: Declared, values: tuple[object, ...]) -> UniformValue:
-        if "sampler" in declared.type:
-            return textures_for(name, declared, values)
-        return numbers_for(name, declared, values)
 
     def _warn_unknown(self, name: str) -> None:
         known = nearest(name, self._declared)
@@ -178,9 +193,23 @@ class PShader:
 
     def _shading(self) -> Shading:
         """Return the program with the values that it has now."""
+        self._look_at_images()
         if self._uniforms is None:
-            self._uniforms = Uniforms(dict(self._values))
+            self._uniforms = Uniforms(dict(self._values), calling_place())
         return Shading(self._source, self._uniforms)
+
+    @property
+    def _follows_images(self) -> bool:
+        """Whether its values may change without a word: images do, where pixels are set."""
+        return bool(self._images)
+
+    def _look_at_images(self) -> None:
+        """Take over what has changed in the images that it was given."""
+        for name, images in self._images.items():
+            value = textures_for(name, self._declared[name], images)
+            if _parts(value) != _parts(self._values[name]):
+                self._values[name] = value
+                self._uniforms = None
 
     def bind(self) -> None:
         """Do nothing: a shader is in force from `shader()` to `resetShader()`.
@@ -216,6 +245,11 @@ class PShader:
 
     def __repr__(self) -> str:
         return f"<PShader: {self._source.name}>"
+
+
+def _parts(value: UniformValue) -> object:
+    """Return what tells two values of samplers apart."""
+    return value.faces if isinstance(value, CubeMap) else value
 
 
 def _text(part: str | Iterable[str]) -> str:

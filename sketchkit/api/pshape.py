@@ -14,6 +14,7 @@ from sketchkit.api.materials import Materials
 from sketchkit.api.paint import check_choice
 from sketchkit.api.pshape_attribs import ShapeAttribs
 from sketchkit.api.pshape_codes import ShapeCodes
+from sketchkit.api.pshape_kinds import ShapeKinds
 from sketchkit.api.pshape_looks import ShapeLooks
 from sketchkit.api.pshape_measures import ShapeMeasures
 from sketchkit.api.pshape_parts import Family
@@ -49,6 +50,7 @@ class PShape(
     CurveVertices,
     Textures,
     Attribs,
+    ShapeKinds,
 ):
     """A drawing that is kept: made once, drawn often, with `shape()`.
 
@@ -74,7 +76,6 @@ class PShape(
     >>> shape(star, 50, 50)
     """
 
-    GROUP: ClassVar[int] = int(Family.GROUP)
     PRIMITIVE: ClassVar[int] = int(Family.PRIMITIVE)
     PATH: ClassVar[int] = int(Family.PATH)
     GEOMETRY: ClassVar[int] = int(Family.GEOMETRY)
@@ -325,5 +326,6 @@ def new_shape(canvas: CanvasParts, args: Sequence[object]) -> PShape:
         raise SketchError(
             f"createShape() takes nothing, GROUP, or {either(KIND_NAMES)} and its numbers.",
             got=shown(kind),
+            hint="For vertices: s = createShape(), s.beginShape(QUADS), ..., s.endShape().",
         )
     return PrimitiveShape(canvas, kind, params)  # type: ignore[arg-type] # the call checks the numbers

@@ -10,9 +10,10 @@ import numpy as np
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
 from sketchkit.api.pvector import PVector
 from sketchkit.core.errors import SketchError, kind_of, shown
-from sketchkit.draw.resources import Pixels, Target, Texture
+from sketchkit.draw.resources import CubeMap, Pixels, Target, Texture
 from sketchkit.glsl.interface import Declared
 
+MATRICES = (PMatrix2D, PMatrix3D)
 SIZES = {"float": 1, "double": 1, "int": 1, "uint": 1, "bool": 1}
 SIZES |= {f"{kind}vec{n}": n for kind in ("", "i", "u", "b", "d") for n in (2, 3, 4)}
 SIDES = {"mat2": 2, "mat3": 3, "mat4": 4, "mat2x2": 2, "mat3x3": 3, "mat4x4": 4}
@@ -30,7 +31,7 @@ def numbers_for(name: str, declared: Declared, values: tuple[object, ...]) -> tu
     SketchError
         If they do not fit what the shader declares.
     """
-    if len(values) == 2 and not _is_number(values[0]) and values[1] in HINTS:
+    if len(values) == 2 and _may_have_hint(values[0]) and values[1] in HINTS:
         values = values[:1]
     size = SIZES.get(declared.type)
     if size is None:
@@ -52,13 +53,13 @@ def numbers_for(name: str, declared: Declared, values: tuple[object, ...]) -> tu
 
 def textures_for(
     name: str, declared: Declared, values: tuple[object, ...]
-) -> Texture | tuple[Texture, ...]:
-    """Return the image for a sampler; of an array, or of a cube map, several.
+) -> Texture | CubeMap | tuple[Texture, ...]:
+    """Return the image for a sampler; of an array several, of a cube map six.
 
     Raises
     ------
     SketchError
-        If they are no images, or too few.
+        If they are no images, or too few, or do not fit together.
     """
     images = list(values)
     if len(images) == 1 and isinstance(images[0], list | tuple):
@@ -70,7 +71,19 @@ def textures_for(
             f"{name} is a {_declaration(declared)} in the shader: it takes {wanted} images.",
             got=str(len(found)),
         )
+    if "Cube" in declared.type:
+        return _cube_of(name, found)
     return found[0] if wanted == 1 else tuple(found)
+
+
+def _cube_of(name: str, faces: list[Texture]) -> CubeMap:
+    sizes = {(face.width, face.height) for face in faces}
+    if len(sizes) > 1 or faces[0].width != faces[0].height:
+        raise SketchError(
+            f"{name} is a samplerCube in the shader: its six images are squares of one size.",
+            got=", ".join(f"{width} x {height}" for width, height in sorted(sizes)),
+        )
+    return CubeMap(tuple(faces))
 
 
 def _texture_of(name: str, declared: Declared, image: object) -> Texture:
@@ -89,7 +102,7 @@ def _flat(name: str, declared: Declared, values: Iterable[Any]) -> Iterator[floa
     for value in values:
         if isinstance(value, PVector):
             yield from (value.x, value.y, value.z)
-        elif isinstance(value, PMatrix2D | PMatrix3D):
+        elif isinstance(value, MATRICES):
             yield from _matrix_numbers(value, SIDES.get(declared.type, 4))
         elif _is_number(value):
             yield float(value)
@@ -106,6 +119,8 @@ def _of_sequence(
     if rows is not None and rows.shape[-2:] == (side, side):
         yield from np.swapaxes(rows, -1, -2).ravel().tolist()
         return
+    if isinstance(value, str):  # its letters are strings again
+        raise _unfit(name, declared, (value,), SIZES[declared.type])
     try:
         yield from _flat(name, declared, iter(value))
     except TypeError:
@@ -113,7 +128,9 @@ def _of_sequence(
 
 
 def _as_rows(value: object) -> np.ndarray[Any, np.dtype[np.float64]] | None:  # Any: its shape
-    """Return nested lists of numbers, or a NumPy array, as rows; None if it is none."""
+    """Return nested lists of numbers, or a NumPy array, as rows; None if it is neither."""
+    if isinstance(value, list | tuple) and any(isinstance(part, MATRICES) for part in value):
+        return None  # NumPy would take them for rows too, but theirs are GLSL's columns
     try:
         rows = np.asarray(value, np.float64)
     except (TypeError, ValueError):
@@ -128,6 +145,11 @@ def _matrix_numbers(matrix: PMatrix2D | PMatrix3D, side: int) -> list[float]:
     return [
         float(getattr(matrix, f"m{row}{column}")) for row in range(side) for column in range(side)
     ]
+
+
+def _may_have_hint(value: object) -> bool:
+    """Return whether Processing's set() may say more behind it: of lists and matrices."""
+    return not _is_number(value) and not isinstance(value, PVector)
 
 
 def _is_number(value: object) -> bool:

@@ -14,7 +14,7 @@ from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, kind_of, shown
 from sketchkit.core.matrix import IDENTITY, ortho
 from sketchkit.draw.pipeline import Blend
-from sketchkit.draw.shading import ShaderKind, Shadings
+from sketchkit.draw.shading import PREVIOUS, ShaderKind, Shadings
 
 # What shader() may be told to draw, and the slot for it.
 SLOTS = {c.TRIANGLES: "fills", c.LINES: "lines", c.POINTS: "points"}
@@ -104,6 +104,8 @@ class Shaders(CanvasPixels):
         check_choice("shader", kind, SLOT_NAMES)
         self._shaders = {**self._shaders, SLOTS[kind]: shader}
         shader._canvases.add(self)
+        if PREVIOUS in shader._declared:
+            self._target.is_noted = True
         self._follow_shaders()
 
     def resetShader(self, kind: int | None = None) -> None:

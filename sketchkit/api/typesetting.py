@@ -14,7 +14,7 @@ from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, shown, wrong_numbers
 from sketchkit.core.float32 import f32
 from sketchkit.core.notices import warn_once
-from sketchkit.core.style import Typeface, Typography
+from sketchkit.core.style import DEFAULT_FACE, Typeface, Typography
 from sketchkit.data.strings import nfs
 
 LEADING = f32(1.275)  # from line to line, in heights of a letter from ascent to descent
@@ -67,7 +67,7 @@ class Typesetting(CanvasParts):
         elif self._typography.design_size:
             self._size_text(wanted)
         else:
-            self._use_face(Typeface(), wanted)
+            self._use_face(DEFAULT_FACE, wanted)
 
     def _size_text(self, size: float) -> None:
         self._typography = replace(self._typography, size=size)
@@ -83,7 +83,7 @@ class Typesetting(CanvasParts):
     def _typeset(self) -> Typography:
         """Return how text is set; the face is made when it is first needed."""
         if not self._typography.design_size:
-            self._use_face(Typeface(), FIRST_SIZE)
+            self._use_face(DEFAULT_FACE, FIRST_SIZE)
         return self._typography
 
     def _set_face(self) -> Face:

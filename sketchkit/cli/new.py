@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import keyword
-import sys
 from pathlib import Path
 
 import click
 
 from sketchkit.api.names import names_of
 from sketchkit.assets.output import write_file
-from sketchkit.runtime.checks import FOUNDATIONS
+from sketchkit.runtime.checks import TAKEN_NAMES
 from sketchkit.stubs import blank_sketch, stub
 
 SKETCH = """\
@@ -60,5 +59,5 @@ def _refuse_bad_name(folder: Path) -> None:
             f"{name!r} cannot be the name of a sketch: letters, digits and _ make one, and no "
             "digit comes first."
         )
-    if name in sys.stdlib_module_names or name in FOUNDATIONS:
+    if name in TAKEN_NAMES:
         raise click.UsageError(f"{name} is the name of a Python module: choose another.")

@@ -164,6 +164,8 @@ LANDSCAPE: Final = 2
 SPAN: Final = 0
 
 # Hints: DISABLE and ENABLE of one thing differ in sign
+ENABLE_NATIVE_FONTS: Final = 1
+DISABLE_NATIVE_FONTS: Final = -1
 DISABLE_DEPTH_TEST: Final = 2
 ENABLE_DEPTH_TEST: Final = -2
 ENABLE_DEPTH_SORT: Final = 3

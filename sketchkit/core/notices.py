@@ -8,7 +8,7 @@ import os
 import sys
 import warnings
 from pathlib import Path
-from types import FrameType
+from typing import NamedTuple
 
 PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
@@ -17,26 +17,38 @@ class SketchWarning(UserWarning):
     """Something that the sketch probably does not mean, or that has no effect here."""
 
 
-def warn_once(message: str) -> None:
+class Place(NamedTuple):
+    """A line of the sketch.
+
+    Attributes
+    ----------
+    said : dict
+        Python's own record of what was said in that file.
+    """
+
+    file: str
+    line: int
+    said: dict[str | tuple[str, type[Warning], int], int]
+
+
+def calling_place() -> Place:
+    """Return the line of the sketch that called into sketchkit."""
+    frame = sys._getframe(1)
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(PACKAGE):
+        frame = frame.f_back
+    said = frame.f_globals.setdefault("__warningregistry__", {})
+    return Place(frame.f_code.co_filename, frame.f_lineno, said)
+
+
+def warn_once(message: str, place: Place | None = None) -> None:
     """Tell the author of the running sketch, at the line that called into sketchkit.
 
     Parameters
     ----------
     message : str
         One or two whole sentences, in the names that the sketch uses.
+    place : Place, optional
+        Another line that it is about.
     """
-    frame = _calling_frame()
-    warnings.warn_explicit(
-        message,
-        SketchWarning,
-        frame.f_code.co_filename,
-        frame.f_lineno,
-        registry=frame.f_globals.setdefault("__warningregistry__", {}),
-    )
-
-
-def _calling_frame() -> FrameType:
-    frame = sys._getframe(2)
-    while frame.f_back is not None and frame.f_code.co_filename.startswith(PACKAGE):
-        frame = frame.f_back
-    return frame
+    file, line, said = place or calling_place()
+    warnings.warn_explicit(message, SketchWarning, file, line, registry=said)

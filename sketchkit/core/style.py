@@ -59,6 +59,9 @@ class Typeface(NamedTuple):
     characters: frozenset[str] | None = None
 
 
+DEFAULT_FACE = Typeface()
+
+
 @dataclass(frozen=True, slots=True)
 class Typography:
     """How text is set.
@@ -78,7 +81,7 @@ class Typography:
     align_x: int = c.LEFT
     align_y: int = c.BASELINE
     mode: int = c.MODEL
-    face: Typeface = Typeface()
+    face: Typeface = DEFAULT_FACE
     design_size: int = 0
 
 

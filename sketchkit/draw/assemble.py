@@ -273,7 +273,8 @@ def _shading(stage: Stage, layer: Layer, *, is_textured: bool) -> Shading | None
     warn_once(
         f"The shader of {shading.source.name} does not draw what is"
         f" {'textured' if is_textured else 'untextured'} and"
-        f" {'lit' if stage.lights is not None else 'unlit'}: it is drawn without it."
+        f" {'lit' if stage.lights is not None else 'unlit'}: it is drawn without it.",
+        shading.uniforms.place,
     )
     return None
 
@@ -299,7 +300,7 @@ def _append(out: DrawList, draw: Draw) -> None:
     """Append a draw, or lengthen the last one if it goes on where that ended."""
     if out.commands and isinstance(last := out.commands[-1], Draw):
         joins = last.layer is draw.layer and last.first + last.count == draw.first
-        if joins and last.pipeline == draw.pipeline:
+        if joins and last.pipeline == draw.pipeline and not draw.pipeline.reads_itself:
             out.commands[-1] = Draw(last.pipeline, last.layer, last.first, last.count + draw.count)
             return
     out.commands.append(draw)

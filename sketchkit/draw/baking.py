@@ -76,7 +76,7 @@ def _moved_block(block: VertexBlock, m: F32, kinds: dict[str, CustomKind]) -> Ve
 
 
 def _placed(places: F32, m: F32) -> F32:
-    """Return places after a matrix; the sums run in Processing's order, so that they round alike."""
+    """Return places after a matrix; the sums run in Processing's order, to round alike."""
     x, y, z = places.T
     columns = [x * row[0] + y * row[1] + z * row[2] + row[3] for row in m]
     return np.stack(columns, axis=1).astype(np.float32)

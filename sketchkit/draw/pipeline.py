@@ -81,3 +81,8 @@ class Pipeline(NamedTuple):
     stroke_perspective: bool = False
     culls_backs: bool = False
     shading: Shading | None = None
+
+    @property
+    def reads_itself(self) -> bool:
+        """Whether each draw reads what the one before it has drawn."""
+        return self.texture is self.target

@@ -88,3 +88,21 @@ class Target:
 
 # What a shape can be covered with: an image, or the picture of another canvas.
 Texture = Pixels | Target
+
+
+@dataclass(frozen=True, eq=False)
+class CubeMap:
+    """Six square pictures of one size around a point, for shaders.
+
+    Attributes
+    ----------
+    faces : six of Pixels or Target
+        In OpenGL's order: those that +x, -x, +y, -y, +z and -z meet.
+    """
+
+    faces: tuple[Texture, ...]
+
+    @property
+    def side(self) -> int:
+        """Columns of each face, and rows."""
+        return self.faces[0].width

@@ -7,10 +7,13 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import NamedTuple
 
-from sketchkit.draw.resources import Texture
+from sketchkit.core.notices import Place
+from sketchkit.draw.resources import CubeMap, Texture
 
-# Numbers in the order in which GLSL stores them, or an image; cube maps have six.
-UniformValue = tuple[float, ...] | Texture | tuple[Texture, ...]
+PREVIOUS = "ppixels"  # Processing's sampler of what the canvas showed before
+
+# Numbers in the order in which GLSL stores them, an image, or several for an array of samplers.
+UniformValue = tuple[float, ...] | Texture | CubeMap | tuple[Texture, ...]
 
 
 class ShaderKind(Enum):
@@ -72,9 +75,17 @@ class ShaderSource:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Uniforms:
-    """The values that a sketch had given to a shader when something was drawn."""
+    """The values that a sketch had given to a shader when something was drawn.
+
+    Attributes
+    ----------
+    values : dict
+    place : Place or None
+        Where the sketch chose the shader, or gave it the values: remarks are about that line.
+    """
 
     values: Mapping[str, UniformValue] = field(default_factory=dict)
+    place: Place | None = None
 
 
 class Shading(NamedTuple):

@@ -1,7 +1,7 @@
 """What 4.20 made shorter, written as GLSL before it takes it.
 
 `float a[2] = {1, 2}` becomes `float a[2] = float[2](1, 2)`, and in a function that returns a float
-`return 1` becomes `return float(1)`.
+`return 1` becomes `return 1.0`.
 """
 
 from __future__ import annotations
@@ -28,22 +28,28 @@ def with_constructors(tokens: Sequence[Token]) -> list[Token]:
 
 
 def with_float_returns(tokens: Sequence[Token]) -> list[Token]:
-    """Return tokens where functions of type float convert what they return."""
+    """Return tokens where functions of type float return 1.0, and not 1.
+
+    Numbers alone: of other expressions the type is not known, and float() takes vectors, too.
+    """
     result = list(tokens)
     code = [place for place, token in enumerate(tokens) if token.is_code and not token.directive]
-    depth, is_float, is_returning = 0, False, False
+    depth, is_float = 0, False
     for nth, place in enumerate(code):
         text = tokens[place].text
         if depth == 0 and text == "(":
             is_float = nth >= 2 and tokens[code[nth - 2]].text == "float"
         depth += {"{": 1, "}": -1}.get(text, 0)
-        if text == "return" and is_float and depth:
-            result[place] = tokens[place]._replace(text="return float(")
-            is_returning = True
-        elif text == ";" and is_returning:
-            result[place] = tokens[place]._replace(text=");")
-            is_returning = False
+        is_alone = tokens[code[min(nth + 1, len(code) - 1)]].text == ";"
+        words = [tokens[before].text for before in code[max(nth - 2, 0) : nth]]
+        if is_float and depth and is_alone and text.isdigit() and _is_returned(words):
+            result[place] = tokens[place]._replace(text=f"{text}.0")
     return result
+
+
+def _is_returned(words: list[str]) -> bool:
+    """Return whether `return` stands last, or a sign behind it."""
+    return words[-1:] == ["return"] or words in (["return", "-"], ["return", "+"])
 
 
 def _declared_type(before: list[str]) -> str:

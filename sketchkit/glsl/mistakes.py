@@ -308,7 +308,7 @@ _PATTERNS: list[tuple[str, Callable[[re.Match[str], Place], Finding]]] = [
     (
         r"input [`'\"]?(\w+)['\"]? has no matching|fragment shader [`'](\w+)' not written"
         r"|varying [`'\"]?(\w+)['\"]? not declared"
-        r"|(?:input|varying) [`'\"]?(\w+).*not (?:written|found)"
+        r"|(?:input|varying) [`'\"](\w+).*not (?:written|found)"
         r"|reads? varying [`'\"]?(\w+)",
         _unfed,
     ),

@@ -17,6 +17,9 @@ FOUNDATIONS = frozenset(
         *("sketchkit", "svgelements", "uharfbuzz"),
     }
 )
+# Python's modules that nothing else imports: a helper of such a name is what the sketch means.
+RARE_MODULES = frozenset({"chunk", "sched", "this", "turtle", "wave"})
+TAKEN_NAMES = (sys.stdlib_module_names | FOUNDATIONS) - RARE_MODULES
 SMOOTHING = frozenset({"smooth", "noSmooth"})
 SIZING = frozenset({"size", "fullScreen"})
 DRAWING = frozenset(
@@ -64,9 +67,8 @@ def refuse_hidden_modules(source: Source) -> None:
         If it would.
     """
     for name, line in _imported_names(source.tree):
-        is_standard = name in sys.stdlib_module_names
-        if (is_standard or name in FOUNDATIONS) and _has_module(source.path.parent, name):
-            whose = "Python's own" if is_standard else "the installed"
+        if name in TAKEN_NAMES and _has_module(source.path.parent, name):
+            whose = "the installed" if name in FOUNDATIONS else "Python's own"
             raise EarlyError(
                 f"Your file {name}.py hides {whose} module {name}.",
                 f"Give your file another name, say my_{name}.py.",

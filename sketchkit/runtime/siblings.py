@@ -9,7 +9,7 @@ from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from pathlib import Path
 from types import CodeType, ModuleType
 
-from sketchkit.runtime.checks import FOUNDATIONS, refuse_hidden_modules
+from sketchkit.runtime.checks import TAKEN_NAMES, refuse_hidden_modules
 from sketchkit.runtime.source import Source
 
 Names = dict[str, object]
@@ -61,7 +61,7 @@ class SiblingFinder(MetaPathFinder):
         package, _, _ = fullname.rpartition(".")
         if package and package not in self.found:
             return None
-        if fullname in sys.stdlib_module_names or fullname in FOUNDATIONS:
+        if fullname in TAKEN_NAMES:
             return None
         spec = PathFinder.find_spec(fullname, path if package else self._folders())
         if spec is None or (spec.loader is None and PathFinder.find_spec(fullname, path)):

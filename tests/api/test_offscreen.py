@@ -195,6 +195,13 @@ class TestBeginAndEnd:
         with pg.beginDraw():
             assert pg.screenX(0, 0) == 0
 
+    def test_canvas_itself_is_such_a_block(self, pg):
+        with pg as drawn:
+            pg.translate(9, 0)
+        with pg:
+            assert pg.screenX(0, 0) == 0
+        assert drawn is pg
+
     def test_beginning_twice_does_nothing(self, pg):
         pg.beginDraw()
         pg.translate(9, 0)

@@ -55,6 +55,15 @@ def test_set_can_be_the_base_of_a_class() -> None:
     assert kind(["rose"]) == {"rose"}
 
 
+def test_subclass_of_set_calls_its_init_by_name() -> None:
+    both = overlaps(Canvas())["set"]
+    flowers: set[str] = set()
+
+    both.__init__(flowers, ["rose"])  # type: ignore[misc,call-arg] # as a class does
+
+    assert flowers == {"rose"}
+
+
 def test_open_looks_into_data(tmp_path: Path) -> None:
     (tmp_path / "data").mkdir()
     (tmp_path / "data" / "a.txt").write_text("hello")

@@ -105,7 +105,10 @@ def test_rect_with_three_numbers_tells_how_many_it_takes(tmp_path):
         ("translate(1)", "2 or 3 numbers: x, y [, z]"),
         ("box()", "1 or 3 numbers: size, or width, height, depth"),
         ("fill()", "1, 2, 3 or 4 numbers: gray [, alpha], or red, green, blue [, alpha]"),
-        ("text('a')", "3, 4, 5 or 6 values: text, x, y [, z], or text, x, y, width, height, or characters,"),
+        (
+            "text('a')",
+            "3, 4, 5 or 6 values: text, x, y [, z], or text, x, y, width, height, or characters,",
+        ),
         ("rectMode()", "CORNER, CORNERS, RADIUS or CENTER"),
         ("lights(3)", "nothing between its brackets"),
         ("beginShape(5000)", "POINTS, LINES, TRIANGLES, TRIANGLE_STRIP"),

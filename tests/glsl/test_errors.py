@@ -5,7 +5,6 @@ from typing import NamedTuple
 import moderngl
 import pytest
 
-from sketchkit.backends.gl.context import headless_context
 from sketchkit.glsl.dialect import Modern, modernize
 from sketchkit.glsl.errors import explain, original_names
 
@@ -25,9 +24,9 @@ class File(NamedTuple):
     name: str
 
 
-@pytest.fixture(scope="module")
-def context():
-    return headless_context().context
+@pytest.fixture
+def context(gl_backend):
+    return gl_backend.context
 
 
 def within_main(*lines):
@@ -104,11 +103,6 @@ BROKEN = {
         1,
         "declared differently",
     ),
-    "varying that nobody writes": (
-        "\nvarying vec3 cul;\nvoid main() { gl_FragColor = vec4(cul, 1.0); }",
-        2,
-        "does not write it",
-    ),
 }
 
 
@@ -133,7 +127,7 @@ def test_message_names_the_line_and_says_what_is_wrong(context, source, line, wo
 
 def test_line_of_the_source_is_shown(context):
     source = within_main("gl_FragColor = colr;")
-    log, vertex, fragment = failed(context, source)
+    log, _, fragment = failed(context, source)
 
     message = explain(log, None, File(source, "b.frag"), None, fragment)
 
@@ -224,6 +218,28 @@ def test_missing_semicolon_is_found_from_any_drivers_log(log):
     )
 
     assert message.startswith("b.frag, line 5: A semicolon is missing")
+
+
+@pytest.mark.parametrize(
+    "log",
+    [
+        "error: fragment shader input `cul' has no matching output in the previous stage",
+        "ERROR: Input of fragment shader 'cul' not written by vertex shader",
+        "error: fragment shader varying cul not declared in vertex shader",
+    ],
+)
+def test_varying_that_nobody_writes_is_named_with_its_line(log):
+    source = "\nvarying vec3 cul;\nvoid main() { gl_FragColor = vec4(cul, 1.0); }"
+    pair = modernize(VERTEX, "vertex", 330), modernize(source, "fragment", 330)
+
+    message = explain(
+        f"GLSL Linker failed\n\nProgram\n====\n{log}\n",
+        File(VERTEX, "a.vert"),
+        File(source, "b.frag"),
+        *pair,
+    )
+
+    assert message.startswith("b.frag, line 2: cul is read in the fragment shader")
 
 
 def test_error_that_nobody_has_foreseen_is_told_in_the_drivers_words():

@@ -206,6 +206,14 @@ def test_file_that_hides_a_module_is_refused_when_it_is_imported(tmp_path: Path,
     assert f"my_{name}.py" in text
 
 
+def test_file_with_the_name_of_a_module_that_python_hardly_needs_is_the_sketchs(
+    tmp_path: Path,
+) -> None:
+    written(tmp_path, "class Wave:\n    height = 3", "wave.py")
+
+    assert play(written(tmp_path, "from wave import Wave\nx = Wave.height"))["x"] == 3
+
+
 def test_file_with_the_name_of_a_module_does_not_bite_as_long_as_nobody_imports_it(
     tmp_path: Path,
 ) -> None:

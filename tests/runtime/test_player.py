@@ -11,7 +11,9 @@ from sketchkit.api.events import KeyEvent
 from sketchkit.api.host import NoWindow
 from sketchkit.backends.listing import ListingBackend
 from sketchkit.core.constants import ESC
+from sketchkit.core.errors import SketchError
 from sketchkit.draw.resources import Target
+from sketchkit.draw.shading import ShaderSource
 from sketchkit.runtime.events import AnyEvent
 from sketchkit.runtime.player import Player
 from sketchkit.runtime.report import Report
@@ -188,3 +190,63 @@ def test_sketch_that_could_not_be_read_starts_when_it_is_mended(tmp_path: Path) 
     assert is_well
     assert len(told) == 1
     assert screen.shown[-1][1] == 200
+
+
+class ShaderBackend(ListingBackend):
+    """Remembers which shaders it was to compile; what says `broken` does not compile."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.compiled: list[str] = []
+
+    def prepare(self, source: ShaderSource) -> None:
+        assert source.fragment is not None
+        if "broken" in source.fragment.text:
+            raise SketchError("tone.frag, line 1: it is broken.")
+        if not self.compiled or self.compiled[-1] != source.fragment.text:
+            self.compiled.append(source.fragment.text)
+
+
+SHADED = """
+setups = []
+def setup():
+    size(20, 20, P2D)
+    global tone
+    tone = loadShader("tone.frag")
+    setups.append(1)
+def draw():
+    background(0)
+    shader(tone)
+    rect(0, 0, 10, 10)
+    surface.setTitle(f"{len(setups)} setups, {frameCount} frames")
+"""
+
+
+def test_saved_shader_is_compiled_while_the_sketch_goes_on(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    screen.backend = backend = ShaderBackend()
+    sketch = written(tmp_path, SHADED)
+    shader = written(tmp_path, "void main() { }\n", "tone.frag")
+    screen.plan[0.4] = saved(shader, "void main() { gl_FragColor = vec4(1.0); }\n")
+
+    finished, told = play(sketch, screen)
+
+    assert [len(text) for text in backend.compiled] == [16, 42]
+    assert told == []
+    assert finished
+    assert screen.titles[-1].startswith("1 setups")
+
+
+def test_broken_shader_is_told_and_the_old_one_goes_on(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    screen.backend = backend = ShaderBackend()
+    sketch = written(tmp_path, SHADED)
+    shader = written(tmp_path, "void main() { }\n", "tone.frag")
+    screen.plan[0.4] = saved(shader, "broken\n")
+
+    _, told = play(sketch, screen)
+
+    assert len(backend.compiled) == 1
+    assert len(told) == 1
+    assert "it is broken" in str(told[0])
+    assert screen.shown[-1][0] > 0.9

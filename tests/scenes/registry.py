@@ -2,8 +2,8 @@
 
 `@scene()` over a function `(g: PGraphics) -> None` is all that it takes: the function's name is the
 scene's. It draws the first frame of a sketch. `make_processing_goldens.py` runs it on Processing
-too, so it uses nothing but `g`, constants, `math`, functions of its own file that take `g`, and
-`createGraphics` from here.
+too, so it uses nothing but `g`, constants, `math`, `PMatrix3D`, functions of its own file that take
+`g`, and `createGraphics` from here.
 """
 
 from __future__ import annotations
@@ -32,6 +32,8 @@ class Scene:
         2,000 pixels.
     processing_share : float
         Share of the pixels that must be within 2/255 of Processing's.
+    runs_glsl : bool
+        Whether shaders of its own draw it: the CPU renderer cannot, and is left out.
     why : str
         The reason for figures other than the usual ones.
     """
@@ -43,6 +45,7 @@ class Scene:
     samples: int
     gl_tolerance: int
     processing_share: float
+    runs_glsl: bool
     why: str
 
 
@@ -50,11 +53,12 @@ USUAL_TOLERANCE = 2
 USUAL_SHARE = 0.995
 
 
-def scene(
+def scene(  # noqa: PLR0913 # all are given by name, few at a time
     renderer: str = P2D,
     *,
     size: tuple[int, int] = (100, 100),
     is_smooth: bool = True,
+    runs_glsl: bool = False,
     gl_tolerance: int = USUAL_TOLERANCE,
     processing_share: float = USUAL_SHARE,
     why: str = "",
@@ -68,7 +72,7 @@ def scene(
             raise ValueError(f"scene {name}: unusual figures need a reason, and names are unique")
         samples = 4 if is_smooth else 1
         SCENES[name] = Scene(
-            name, draw, size, renderer, samples, gl_tolerance, processing_share, why
+            name, draw, size, renderer, samples, gl_tolerance, processing_share, runs_glsl, why
         )
         return draw
 

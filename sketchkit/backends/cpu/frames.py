@@ -125,6 +125,8 @@ class Frame:
 
     def settle(self, how: Settling) -> None:
         """Begin a frame over the old picture."""
+        if how is Settling.NOTE:
+            return  # only shaders would read it
         if how is Settling.MEAN:
             self.colors[...] = self.picture()
             return

@@ -116,6 +116,7 @@ class _LayerBuffers:
         """Return the columns that a program reads, bound to it; those that the block has."""
         key = (program, self._present)
         if key not in self._arrays:
+            program.tell_of_unfed(self._present)
             content = [
                 self._bound(column, attribute, is_whole=is_whole)
                 for attribute, column, is_whole in program.attributes()

@@ -8,6 +8,7 @@ import moderngl
 
 from sketchkit.backends.gl.buffers import Buffers
 from sketchkit.backends.gl.context import headless_context, window_context
+from sketchkit.backends.gl.cubes import Cubes
 from sketchkit.backends.gl.programs import BuiltInProgram, Programs, compile_pair
 from sketchkit.backends.gl.sketch_programs import SketchProgram, SketchPrograms
 from sketchkit.backends.gl.targets import Surfaces
@@ -17,7 +18,7 @@ from sketchkit.core.matrix import IDENTITY, Affine
 from sketchkit.draw.commands import Clear, Draw, DrawList, DrawMesh, Settle, Settling, Upload
 from sketchkit.draw.meshes import Mesh, MeshPart
 from sketchkit.draw.pipeline import Blend, Clip, Pipeline, Program
-from sketchkit.draw.resources import Pixels, Target, Texture
+from sketchkit.draw.resources import CubeMap, Pixels, Target, Texture
 from sketchkit.draw.shading import ShaderSource
 from sketchkit.draw.vertex import U8
 
@@ -67,6 +68,7 @@ class GlBackend:
         self._buffers = Buffers(context)
         self._surfaces = Surfaces(context)
         self._textures = Textures(context)
+        self._cubes = Cubes(context)
         self._show: moderngl.VertexArray | None = None
         self._first_sample: moderngl.VertexArray | None = None
         self._copy: moderngl.VertexArray | None = None
@@ -116,7 +118,7 @@ class GlBackend:
         placed: Placing | None = None
         for command in commands.commands:
             if isinstance(command, Draw | DrawMesh):
-                if command.pipeline != bound:
+                if command.pipeline != bound or bound.reads_itself:
                     self._bind(command.pipeline)
                     bound, placed = command.pipeline, None
                 if (placing := _placing(command)) != placed:
@@ -179,8 +181,8 @@ class GlBackend:
             self._textures.use_nothing(0)
         program = self._program(pipeline)
         if shading is not None and isinstance(program, SketchProgram):
-            for unit, texture in program.textures(shading.uniforms.values):
-                self._use_texture(unit, texture, pipeline)
+            for unit, texture in program.textures(shading.uniforms.values, pipeline.target):
+                self._use_sampler(unit, texture, pipeline)
         self._set_state(pipeline)
         y_sign = self._turning.turn(top_row_first=pipeline.target.top_row_first)
         program.set_pipeline(pipeline, y_sign)
@@ -222,6 +224,25 @@ class GlBackend:
             return self._programs.get(pipeline.program)
         return self._sketch_programs.get(pipeline.shading.source, pipeline.program)
 
+    def _use_sampler(
+        self, unit: int, texture: Texture | CubeMap | None, pipeline: Pipeline
+    ) -> None:
+        """Bind what a sampler of the sketch's has: of what is drawn on, the picture of before."""
+        if texture is pipeline.target:
+            previous = self._surfaces.get(pipeline.target).previous
+            if previous is not None:
+                self._textures.use_picture(previous, pipeline.wrap, unit)
+                return
+            texture = None
+        match texture:
+            case None:
+                self._textures.use_nothing(unit)
+            case CubeMap():
+                self._turning.reset()
+                self._cubes.use(texture, self._rows, unit)
+            case _:
+                self._use_texture(unit, texture, pipeline)
+
     def _draw(self, command: Draw | DrawMesh) -> None:
         program = self._program(command.pipeline)
         if isinstance(command, Draw):
@@ -246,7 +267,10 @@ class GlBackend:
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
         with self.context:
-            rows = self._surfaces.get(target).read(self.context)
+            return self._rows(target)
+
+    def _rows(self, target: Target) -> U8:
+        rows = self._surfaces.get(target).read(self.context)
         return rows.copy() if target.top_row_first else rows[::-1].copy()
 
     def present(self, target: Target, size: tuple[int, int]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import moderngl
 
@@ -65,6 +65,9 @@ class BuiltInProgram:
         """Yield each attribute that it reads, the column for it, and whether that is of ints."""
         for name in self._columns:
             yield name, name, False
+
+    def tell_of_unfed(self, columns: Collection[str]) -> None:
+        """Say nothing: it knows what it reads."""
 
     def set_pipeline(self, pipeline: Pipeline, y_sign: float) -> None:
         """Give it the values of a pipeline; -1 for `y_sign` turns the picture over."""

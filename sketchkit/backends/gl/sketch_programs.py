@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import struct
 import weakref
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 import moderngl
 
 from sketchkit.backends.gl.glsl import source as own_source
 from sketchkit.backends.gl.sketch_values import (
+    FILLED,
     LIGHT_ARRAYS,
     matrix_values,
     pipeline_values,
@@ -20,9 +21,17 @@ from sketchkit.backends.gl.sketch_values import (
 )
 from sketchkit.core.errors import SketchError
 from sketchkit.core.matrix import Affine
+from sketchkit.core.notices import warn_once
 from sketchkit.draw.pipeline import Pipeline, Program
-from sketchkit.draw.resources import Texture
-from sketchkit.draw.shading import ShaderFile, ShaderKind, ShaderSource, UniformValue
+from sketchkit.draw.resources import CubeMap, Target, Texture
+from sketchkit.draw.shading import (
+    PREVIOUS,
+    ShaderFile,
+    ShaderKind,
+    ShaderSource,
+    Shading,
+    UniformValue,
+)
 from sketchkit.draw.vertex import CUSTOM
 from sketchkit.glsl.dialect import Modern, modernize
 from sketchkit.glsl.errors import explain
@@ -73,7 +82,25 @@ class SketchProgram:
         self.compiled = compiled
         self._has_stand_in = has_stand_in
         self._actual = renamed  # names that GLSL now has a use for itself
+        self._shading: Shading | None = None
         self._units = self._assign_units()
+        self._unset = set(self._uniforms_to_set())
+        self._unfed = {
+            column.removeprefix(CUSTOM)
+            for _, column, _ in self.attributes()
+            if column.startswith(CUSTOM)
+        }
+
+    def _uniforms_to_set(self) -> Iterator[str]:
+        """Yield what only the sketch can give a value; the compiler has left out what is unused."""
+        given = {actual: name for name, actual in self._actual.items()}
+        for actual in self.compiled:
+            member = self.compiled[actual]
+            if not isinstance(member, moderngl.Uniform):
+                continue
+            has_initializer = not _is_sampler(member) and any(member.read())
+            if not has_initializer and not _is_filled(given.get(actual, actual)):
+                yield given.get(actual, actual)
 
     def _assign_units(self) -> dict[str, int]:
         """Give each sampler a texture unit of its own; elements of arrays follow one another."""
@@ -104,6 +131,8 @@ class SketchProgram:
     def set_pipeline(self, pipeline: Pipeline, y_sign: float) -> None:
         """Give it the values of a pipeline: Processing's, and those that the sketch has set."""
         assert pipeline.shading is not None
+        self._shading = pipeline.shading
+        self._tell_of_unset(self._shading)
         given = pipeline_values(pipeline)
         if self._has_stand_in:
             given |= stand_in_values(given, y_sign)
@@ -112,6 +141,32 @@ class SketchProgram:
             given = {name: value for name, value in given.items() if not self._is_lone_light(name)}
         for name, value in (dict(pipeline.shading.uniforms.values) | given).items():
             self._write(name, value)
+
+    def _tell_of_unset(self, shading: Shading) -> None:
+        """Say once which uniforms the sketch has not set."""
+        missing = sorted(self._unset - shading.uniforms.values.keys())
+        if not missing:
+            return
+        self._unset.difference_update(missing)
+        what, they_are = ("a uniform", "it is") if len(missing) == 1 else ("uniforms", "they are")
+        sees = " or ".join(sorted({"black" if name in self._units else "0" for name in missing}))
+        warn_once(
+            f"Nothing has set {', '.join(missing)}, {what} of the shader of {shading.source.name}:"
+            f" {they_are} {sees}. Its set() sets {'it' if len(missing) == 1 else 'them'}.",
+            shading.uniforms.place,
+        )
+
+    def tell_of_unfed(self, columns: Collection[str]) -> None:
+        """Say once which attributes of the sketch's own are not among the vertices' columns."""
+        shading = self._shading
+        for name in sorted(self._unfed):
+            if shading is not None and CUSTOM + name not in columns:
+                warn_once(
+                    f"Nothing feeds {name}, an attribute of the shader of {shading.source.name}:"
+                    " it is 0. attrib() gives it to vertices.",
+                    shading.uniforms.place,
+                )
+                self._unfed.discard(name)
 
     def _is_lone_light(self, name: str) -> bool:
         """Return whether a value of the lights would go to a uniform for one light."""
@@ -126,16 +181,25 @@ class SketchProgram:
         for name, value in (values | {"weight_scale": (weight_scale,)}).items():
             self._write(name, value)
 
-    def textures(self, values: Mapping[str, UniformValue]) -> Iterator[tuple[int, Texture]]:
-        """Yield the images among the values, each with the unit that it goes to."""
-        for name, value in values.items():
-            unit = self._units.get(self._actual.get(name, name))
-            if unit is None or not unit:
+    def textures(
+        self, values: Mapping[str, UniformValue], target: Target
+    ) -> Iterator[tuple[int, Texture | CubeMap | None]]:
+        """Yield what goes to each texture unit; None: nothing was set.
+
+        The target stands for what was on it before.
+        """
+        known = {self._actual.get(name, name): value for name, value in values.items()}
+        known[PREVIOUS] = target
+        for name, first in self._units.items():
+            if not first:  # a shape's own texture is
                 continue
-            images = value if isinstance(value, tuple) else (value,)
+            member = self.compiled[name]
+            assert isinstance(member, moderngl.Uniform)
+            value = known.get(name)
+            images = value if isinstance(value, tuple) else (value,) * member.array_length
             for offset, image in enumerate(images):
-                if not isinstance(image, float | int):
-                    yield unit + offset, image
+                assert not isinstance(image, float)  # set() has looked
+                yield first + offset, image
 
     def _write(self, name: str, value: UniformValue) -> None:
         """Write numbers into a uniform, if the compiler has kept it."""
@@ -204,6 +268,11 @@ def _explained(
     log: str, source: ShaderSource, vertex: Modern | None, fragment: Modern | None
 ) -> tuple[str]:
     return (explain(log, source.vertex, source.fragment, vertex, fragment),)
+
+
+def _is_filled(name: str) -> bool:
+    """Return whether a uniform is none that the sketch has to set."""
+    return name in FILLED or name == PREVIOUS or name.startswith(("sk_", "gl_"))
 
 
 def _is_sampler(member: moderngl.Uniform) -> bool:

@@ -31,6 +31,16 @@ _OWN_NAMES = {
     "light_spot": "lightSpot",
 }
 LIGHT_ARRAYS = frozenset(_OWN_NAMES.values()) - {"lightCount"}
+# All that a shader need not be given by the sketch; what this package adds begins with "sk_".
+FILLED = frozenset(
+    (
+        *_OWN_NAMES,
+        *_OWN_NAMES.values(),
+        *("transform", "transformMatrix", "modelview", "modelviewMatrix", "normalMatrix"),
+        *("projection", "projectionMatrix", "viewport", "resolution", "scale", "perspective"),
+        *("texture", "texMap", "texMatrix", "texOffset", "weight_scale", "y_sign"),
+    )
+)
 UPRIGHT: Numbers = (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1)
 TURNED: Numbers = (1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1)  # v becomes 1 - v
 

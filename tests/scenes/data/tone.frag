@@ -1,0 +1,5 @@
+uniform vec3 tone;
+
+void main() {
+    gl_FragColor = vec4(tone, 0.5);
+}
