@@ -39,7 +39,7 @@ WITH_DOCSTRING = (ast.FunctionDef, ast.ClassDef)
 
 def every_example() -> Iterator[doctest.DocTest]:
     parser = doctest.DocTestParser()
-    for path in sorted(API.glob("*.py")):
+    for path in sorted(API.rglob("*.py")):
         tree = ast.parse(path.read_text(encoding="utf-8"))
         for name, text, line in _docstrings(tree, path.stem):
             test = parser.get_doctest(text, {}, name, str(path), line)
@@ -103,7 +103,10 @@ def test_example_runs(example: doctest.DocTest, folder: Path, gl_backend: GlBack
 
 def _inner_function(example: doctest.DocTest, names: dict[str, object]) -> dict[str, object]:
     """Return the function that an example is of, if it is one of ours that sketches do not see."""
-    module, _, name = example.name.partition(".")
-    value = getattr(importlib.import_module(f"sketchkit.api.{module}"), name, None)
+    assert example.filename is not None
+    file = Path(example.filename)
+    module = ".".join(file.relative_to(API.parents[1]).with_suffix("").parts)
+    name = example.name.removeprefix(f"{file.stem}.")
+    value = getattr(importlib.import_module(module), name, None)
     is_inner = inspect.isfunction(value) and name not in names
     return {name: value} if is_inner else {}

@@ -18,7 +18,7 @@ from sketchkit.api.pfont import PFont
 from sketchkit.api.pimage import PImage
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
 from sketchkit.api.pshader import PShader
-from sketchkit.api.pshape import PShape
+from sketchkit.api.pshape.shape import PShape
 from sketchkit.api.pvector import PVector
 from sketchkit.api.sketch import Sketch
 from sketchkit.core import constants

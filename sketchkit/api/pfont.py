@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from sketchkit.api._parts import CanvasParts
-from sketchkit.api.pshape import PShape, new_shape
+from sketchkit.api.pshape.shape import PShape, new_shape
 from sketchkit.api.pvector import PVector
 from sketchkit.assets.fonts.faces import design_size
 from sketchkit.assets.fonts.glyph_outlines import rings, spaced, whole_parts

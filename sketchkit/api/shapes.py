@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from sketchkit.api._parts import CanvasParts
-from sketchkit.api.model_shapes import model_shape
 from sketchkit.api.paint import check_choice
-from sketchkit.api.pshape import PShape, new_shape
-from sketchkit.api.pshape_parts import Placed, ShapeParts, scaled
-from sketchkit.api.svg_shapes import svg_shape
+from sketchkit.api.pshape.models import model_shape
+from sketchkit.api.pshape.parts import Placed, ShapeParts, scaled
+from sketchkit.api.pshape.shape import PShape, new_shape
+from sketchkit.api.pshape.svg import svg_shape
 from sketchkit.assets.paths import find_file
 from sketchkit.core import constants as c
 from sketchkit.core import matrix as mat
@@ -194,6 +194,8 @@ class RetainedShapes(CanvasParts):
         where, extent = numbers[:space], numbers[space:]
         if self._shape_mode == c.CORNERS:
             extent = [b - a for a, b in zip(where, extent, strict=False)]
+        if not extent and self._shape_mode != c.CENTER:
+            return mat.translate(self._modelview, *where)  # unmeasured: see getWidth()
         own = (shape.getWidth(), shape.getHeight(), shape.getDepth())[:space]
         if self._shape_mode == c.CENTER:
             sizes = extent or (own if place else (*own[:2], 0.0))

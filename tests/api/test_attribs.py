@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sketchkit.api.graphics import PGraphics
-from sketchkit.api.pshape import PShape
+from sketchkit.api.pshape.shape import PShape
 from sketchkit.core.constants import TRIANGLES
 from sketchkit.core.errors import SketchError
 from sketchkit.draw.commands import DrawMesh

@@ -60,7 +60,7 @@ def words_of_tests() -> frozenset[str]:
 def words_of_examples() -> frozenset[str]:
     """Return the words in the examples of all docstrings: they are run as tests."""
     api = TESTS.parent / "sketchkit" / "api"
-    lines = [line for path in api.glob("*.py") for line in path.read_text("utf-8").splitlines()]
+    lines = [line for path in api.rglob("*.py") for line in path.read_text("utf-8").splitlines()]
     code = [line for line in lines if line.strip().startswith((">>>", "..."))]
     return frozenset(word for line in code for word in re.findall(r"\w+", line))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sketchkit.api.pshape import PShape
+from sketchkit.api.pshape.shape import PShape
 from sketchkit.core import constants as c
 from sketchkit.draw.given_vertices import corner_of, given_places, vertex_codes, with_given
 

@@ -4,7 +4,7 @@ from math import cos, radians, sin
 
 from sketchkit.api.graphics import PGraphics
 from sketchkit.api.pimage import PImage
-from sketchkit.api.pshape import PShape
+from sketchkit.api.pshape.shape import PShape
 from sketchkit.core.constants import (
     ADD,
     ARC,

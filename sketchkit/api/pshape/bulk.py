@@ -7,8 +7,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.api.pshape_corners import ShapeCorners
-from sketchkit.api.pshape_parts import Family
+from sketchkit.api.pshape.corners import ShapeCorners
+from sketchkit.api.pshape.parts import Family
 from sketchkit.core import constants as c
 from sketchkit.core.matrix import IDENTITY
 from sketchkit.draw.recorder import (

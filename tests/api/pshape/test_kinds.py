@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sketchkit.api.pshape import PShape
-from sketchkit.api.pshape_kinds import ShapeKinds
+from sketchkit.api.pshape.kinds import ShapeKinds
+from sketchkit.api.pshape.shape import PShape
 from sketchkit.core import constants
 
 NAMES = [name for name in vars(ShapeKinds) if name.isupper()]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.api.pshape_parts import Family, ShapeParts
+from sketchkit.api.pshape.parts import Family, ShapeParts
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, kind_of, shown
 from sketchkit.draw.given_vertices import corner_of, given_places, with_given

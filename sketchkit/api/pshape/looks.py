@@ -8,8 +8,8 @@ from sketchkit.api._parts import CanvasParts
 from sketchkit.api._pen import WHITE
 from sketchkit.api.color import ColorLike
 from sketchkit.api.paint import CAPS, JOINS, check_choice
-from sketchkit.api.pshape_materials import ShapeMaterials, packed_color
-from sketchkit.api.pshape_parts import Look
+from sketchkit.api.pshape.materials import ShapeMaterials, packed_color
+from sketchkit.api.pshape.parts import Look
 from sketchkit.api.textures import TEXTURE_MODES
 from sketchkit.api.vertices import pixels_of
 from sketchkit.core.errors import wrong_numbers

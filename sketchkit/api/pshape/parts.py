@@ -1,6 +1,6 @@
 """ShapeParts: the only attributes that a retained shape has, and how its mesh is kept up to date.
 
-The groups of methods (`pshape_tree.py`, `pshape_looks.py`, ...) add methods, never attributes.
+The groups of methods (`tree.py`, `looks.py`, ...) add methods, never attributes.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from sketchkit.api._parts import CanvasParts
 from sketchkit.api._pen import Pen
-from sketchkit.api.pshape_batches import MANY, Batch, is_small
+from sketchkit.api.pshape.batches import MANY, Batch, is_small
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError
 from sketchkit.core.matrix import IDENTITY, Affine, multiply, volume_scale
@@ -66,7 +66,7 @@ class ShapeParts(Pen):
     _matrix : Affine
         What takes the shape to its parent.
     _own_steps : Affine
-        All its transforms so far: the same, but for those that came late (pshape_transforms.py).
+        All its transforms so far: the same, but for those that came late (transforms.py).
     _is_settled : bool
         Of the root of a tree: whether the tree as it is now was drawn or measured.
     _texture_source : object or None

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from sketchkit.api._parts import CanvasParts
 from sketchkit.api._pen import WHITE
 from sketchkit.api.pimage import PImage
-from sketchkit.api.pshape import PShape
-from sketchkit.api.pshape_parts import Family
+from sketchkit.api.pshape.parts import Family
+from sketchkit.api.pshape.shape import PShape
 from sketchkit.assets.models.data import ModelMaterial, ModelPart
 from sketchkit.assets.models.loading import load_model
 from sketchkit.assets.pictures.images import Picture, load_picture

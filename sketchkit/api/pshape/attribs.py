@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sketchkit.api.attribs import MOST_NUMBERS
 from sketchkit.api.color import ColorLike
-from sketchkit.api.pshape_corners import ShapeCorners
+from sketchkit.api.pshape.corners import ShapeCorners
 from sketchkit.core.color import unit_rgba
 from sketchkit.core.errors import SketchError, nearest, wrong_numbers
 from sketchkit.draw.recorder import Custom, CustomKind

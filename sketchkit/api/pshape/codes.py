@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketchkit.api.pshape_corners import ShapeCorners
+from sketchkit.api.pshape.corners import ShapeCorners
 from sketchkit.core import constants as c
 from sketchkit.draw.given_vertices import vertex_codes
 

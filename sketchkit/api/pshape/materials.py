@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from sketchkit.api.color import ColorLike
-from sketchkit.api.pshape_corners import ShapeCorners
+from sketchkit.api.pshape.corners import ShapeCorners
 from sketchkit.core.color import to_packed
 from sketchkit.core.errors import wrong_numbers
 from sketchkit.core.notices import warn_once

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Self
 
-from sketchkit.api.pshape_parts import Family, ShapeParts
+from sketchkit.api.pshape.parts import Family, ShapeParts
 from sketchkit.core.errors import SketchError, kind_of, shown
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
-from sketchkit.api.pshape_parts import ShapeParts
+from sketchkit.api.pshape.parts import ShapeParts
 from sketchkit.api.transforms import ROTATE_USAGE, SCALE_USAGE, TRANSLATE_USAGE, affine_of
 from sketchkit.core import matrix as mat
 from sketchkit.core.errors import wrong_numbers

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from sketchkit.api.pshape import PShape
+from sketchkit.api.pshape.shape import PShape
 from sketchkit.backends.cpu.executor import CpuBackend
 from sketchkit.core.constants import BREAK, ELLIPSE, GROUP, JAVA2D, P2D, RECT, VERTEX
 from sketchkit.core.errors import SketchError
@@ -51,6 +51,25 @@ def test_width_is_the_documents_and_getWidth_what_is_drawn(flat, svg):
 
     assert (house.width, house.height) == (90, 60)
     assert house.getChild("door").getWidth() == pytest.approx(6, abs=0.01)  # with its stroke
+
+
+@pytest.mark.parametrize(
+    "measure",
+    [
+        lambda g, house: (house.getWidth(), house.getHeight()),
+        lambda g, house: g.shape(house, 0, 0, 45, 30),
+    ],
+    ids=["asked", "drawn"],
+)
+def test_width_is_what_is_drawn_once_it_has_been_measured(flat, svg, measure):
+    house = flat.loadShape(svg())
+    flat.shape(house, 10, 10)
+    before = house.width, house.height
+
+    measure(flat, house)
+
+    assert before == (90, 60)
+    assert (house.width, house.height) == (house.getWidth(), house.getHeight()) != before
 
 
 def test_in_JAVA2D_every_part_has_the_size_of_the_document(svg):

@@ -12,15 +12,15 @@ from sketchkit.api.color import Color
 from sketchkit.api.curve_vertices import CurveVertices
 from sketchkit.api.materials import Materials
 from sketchkit.api.paint import check_choice
-from sketchkit.api.pshape_attribs import ShapeAttribs
-from sketchkit.api.pshape_codes import ShapeCodes
-from sketchkit.api.pshape_kinds import ShapeKinds
-from sketchkit.api.pshape_looks import ShapeLooks
-from sketchkit.api.pshape_measures import ShapeMeasures
-from sketchkit.api.pshape_parts import Family
-from sketchkit.api.pshape_transforms import ShapeTransforms
-from sketchkit.api.pshape_tree import ShapeTree
-from sketchkit.api.pshape_vertices import ShapeVertices
+from sketchkit.api.pshape.attribs import ShapeAttribs
+from sketchkit.api.pshape.codes import ShapeCodes
+from sketchkit.api.pshape.kinds import ShapeKinds
+from sketchkit.api.pshape.looks import ShapeLooks
+from sketchkit.api.pshape.measures import ShapeMeasures
+from sketchkit.api.pshape.parts import Family
+from sketchkit.api.pshape.transforms import ShapeTransforms
+from sketchkit.api.pshape.tree import ShapeTree
+from sketchkit.api.pshape.vertices import ShapeVertices
 from sketchkit.api.shapes2d import Shapes2D
 from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.textures import Textures, begin_uvs

@@ -11,8 +11,8 @@ import numpy as np
 from sketchkit.api._parts import CanvasParts
 from sketchkit.api._pen import BLACK, WHITE
 from sketchkit.api.pimage import PImage
-from sketchkit.api.pshape import PrimitiveShape, PShape
-from sketchkit.api.pshape_parts import Family
+from sketchkit.api.pshape.parts import Family
+from sketchkit.api.pshape.shape import PrimitiveShape, PShape
 from sketchkit.assets.svg.drawing import SvgNode, load_svg, outline_of
 from sketchkit.assets.svg.gradient_pictures import gradient_picture
 from sketchkit.assets.svg.gradients import Gradient

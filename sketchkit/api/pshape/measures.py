@@ -6,8 +6,8 @@ from typing import Self
 
 import numpy as np
 
-from sketchkit.api.pshape_bulk import ShapeInBulk
-from sketchkit.api.pshape_parts import Family, Placed
+from sketchkit.api.pshape.bulk import ShapeInBulk
+from sketchkit.api.pshape.parts import Family, Placed
 from sketchkit.core.errors import SketchError
 from sketchkit.core.matrix import multiply
 from sketchkit.draw.tessellation import BulkCorners, placed, tessellate_parts
@@ -51,7 +51,11 @@ class ShapeMeasures(ShapeInBulk):
         return self._extent()[2]
 
     def getWidth(self) -> float:
-        """Return the width of all vertices.
+        """Return the width of all vertices; it is the `width` of a file's shape from now on.
+
+        Notes
+        -----
+        Drawing a shape in a given size, or centred, measures it too. As in Processing.
 
         Examples
         --------
@@ -59,10 +63,13 @@ class ShapeMeasures(ShapeInBulk):
         >>> print(createShape(BOX, 10, 20, 30).getWidth())
         10.0
         """
-        return self._extent()[0]
+        width = self._extent()[0]
+        if self._document_size is not None:
+            self._document_size = width, self._document_size[1]
+        return width
 
     def getHeight(self) -> float:
-        """Return the height of all vertices.
+        """Return the height of all vertices; it is the `height` of a file's shape from now on.
 
         Examples
         --------
@@ -70,7 +77,10 @@ class ShapeMeasures(ShapeInBulk):
         >>> print(createShape(BOX, 10, 20, 30).getHeight())
         20.0
         """
-        return self._extent()[1]
+        height = self._extent()[1]
+        if self._document_size is not None:
+            self._document_size = self._document_size[0], height
+        return height
 
     def getDepth(self) -> float:
         """Return the size of all vertices along z.

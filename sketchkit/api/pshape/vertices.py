@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import overload
 
 from sketchkit.api._pen import PackError
-from sketchkit.api.pshape_corners import ShapeCorners
+from sketchkit.api.pshape.corners import ShapeCorners
 from sketchkit.api.pvector import PVector
 from sketchkit.core import constants as c
 from sketchkit.core.errors import wrong_numbers

@@ -1,0 +1,1 @@
+"""PShape: drawings that are kept, edited and drawn often."""
