@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import warn_once
 from sketchkit.draw.shading import ShaderFile, ShaderKind, ShaderSource
 from sketchkit.glsl.interface import Declared, read_interface
 
@@ -49,6 +50,11 @@ def read_source(
 ) -> tuple[ShaderSource, Declarations]:
     """Return a shader of two texts, and the uniforms that it declares."""
     interface = read_interface(vertex.text if vertex else None, fragment.text)
+    if vertex is not None and interface.kinds_differ:
+        warn_once(
+            f"{vertex.name} and {fragment.name} are for different kinds of shapes, as their"
+            f" #define PROCESSING_..._SHADER say: {vertex.name} decides."
+        )
     kind = ShaderKind(interface.kind or ShaderKind.ANY.value)
     attributes = interface.attributes
     if vertex is None:

@@ -8,6 +8,7 @@ import pytest
 
 from sketchkit.api.shader_files import ShaderPaths, read_source
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from sketchkit.draw.shading import ShaderFile, ShaderKind
 
 FRAGMENT = "uniform vec3 tone;\nvoid main() { gl_FragColor = vec4(tone, 1.0); }\n"
@@ -58,3 +59,13 @@ def test_both_files_of_a_pair_are_watched(tmp_path: Path) -> None:
     pair = ShaderPaths(tmp_path / "a.frag", tmp_path / "a.vert")
 
     assert pair.all == (tmp_path / "a.frag", tmp_path / "a.vert")
+
+
+def test_stages_of_different_kinds_are_told_once_and_the_vertex_shader_decides() -> None:
+    lit = ShaderFile("#define PROCESSING_LIGHT_SHADER\n" + VERTEX, "a.vert")
+    textured = ShaderFile("#define PROCESSING_TEXTURE_SHADER\n" + FRAGMENT, "a.frag")
+
+    with pytest.warns(SketchWarning, match=r"a\.vert and a\.frag are for different kinds"):
+        source, _ = read_source(lit, textured)
+
+    assert source.kind is ShaderKind.LIGHT
