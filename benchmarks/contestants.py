@@ -44,8 +44,8 @@ class Contestant:
     name: str
     command: tuple[str, ...]
 
-    def run(self, workload: str, samples: int, seconds: float) -> Times:
-        """Draw a workload and return its times.
+    def run(self, workload: str, samples: int, seconds: float) -> Times | None:
+        """Draw a workload and return its times; None if it took longer than LONGEST_S.
 
         Raises
         ------
@@ -59,9 +59,17 @@ class Contestant:
             "seconds": str(seconds),
         }
         words = [word.format_map(values) for word in self.command]
-        done = subprocess.run(
-            words, capture_output=True, text=True, timeout=LONGEST_S, cwd=FOLDER.parent, check=False
-        )
+        try:
+            done = subprocess.run(
+                words,
+                capture_output=True,
+                text=True,
+                timeout=LONGEST_S,
+                cwd=FOLDER.parent,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            return None
         frames = [line.split()[1:] for line in done.stdout.splitlines() if line[:6] == "frame "]
         if not frames:
             raise RuntimeError(f"{self.name} has not drawn {workload}:\n{done.stderr.strip()}")

@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import re
 import sys
+import traceback
 from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
@@ -19,6 +20,7 @@ from types import CodeType
 import py5
 
 FEWEST_FRAMES = 8
+METHOD = re.compile(r"\.\w+\(")
 SIZE = re.compile(r"size\((\d+), (\d+), (P2D|P3D)\)")
 
 
@@ -27,7 +29,7 @@ def main() -> None:
     path, samples, seconds = Path(sys.argv[1]), sys.argv[2], float(sys.argv[3])
     text = path.read_text(encoding="utf-8")
     width, height, renderer = SIZE.findall(text)[0]
-    code = compile(text, str(path), "exec")
+    code = compile(METHOD.sub(lambda found: _py5_name(found[0]), text), str(path), "exec")
     names = _names_for(code) | {"width": int(width), "height": int(height)}
     names["size"] = lambda *_: None  # called in settings(), as py5 wants it
     if "np_pixels" in text:
@@ -42,13 +44,22 @@ def main() -> None:
 
     def setup() -> None:
         py5.frame_rate(2000)
-        names["setup"]()
+        _or_exit(names["setup"])
 
     def draw() -> None:
         names["frameCount"] = py5.frame_count
-        clock.time(names["draw"])
+        _or_exit(lambda: clock.time(names["draw"]))
 
     py5.run_sketch(sketch_functions={"settings": settings, "setup": setup, "draw": draw})
+
+
+def _or_exit(call: Callable[[], None]) -> None:
+    """Call something; after an error py5 itself would stay, and show nothing for ever."""
+    try:
+        call()
+    except Exception:
+        traceback.print_exc()
+        os._exit(1)
 
 
 def _names_for(code: CodeType) -> dict[str, object]:

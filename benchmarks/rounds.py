@@ -39,16 +39,23 @@ def measure(contestants: Sequence[Contestant], plan: Plan, say: Callable[[str], 
     """Return what each contestant needed for each workload.
 
     One after the other draws the same workload, then the next workload comes, and so on for each
-    round: what else happens on the machine meets all of them alike.
+    round: what else happens on the machine meets all of them alike. Who takes too long for a
+    workload is left out of it.
     """
+    too_slow: set[tuple[str, str]] = set()
     medians: dict[tuple[str, int], dict[str, list[tuple[float, float]]]] = {}
     for number in range(plan.rounds):
         for workload in plan.workloads:
             for samples in plan.samples:
                 row = medians.setdefault((workload, samples), {})
                 for contestant in contestants:
+                    if (contestant.name, workload) in too_slow:
+                        continue
                     say(f"round {number + 1}: {workload}, {samples} samples, {contestant.name}")
                     times = contestant.run(workload, samples, plan.seconds)
+                    if times is None:
+                        too_slow.add((contestant.name, workload))
+                        continue
                     frame = median(times.calls_ms), median(times.total_ms)
                     row.setdefault(contestant.name, []).append(frame)
     return {

@@ -12,7 +12,8 @@ def results_table(results: Results, others: Sequence[str], own: str = "sketchkit
     """Return one row for each workload and number of samples.
 
     Figures are medians over the rounds. A ratio says how many times as long the other needed, of
-    the medians and, in brackets, of each one's best round: above 1, sketchkit is faster.
+    the medians and, in brackets, of each one's best round: above 1, sketchkit is faster. A dash
+    stands for one that was not through in the time that it had.
     """
     head = ["workload", "samples", "calls", "flush", "total"]
     for other in others:
@@ -23,7 +24,7 @@ def results_table(results: Results, others: Sequence[str], own: str = "sketchkit
         calls, total = median(ours.calls), median(ours.totals)
         row = [workload, str(samples), _ms(calls), _ms(total - calls), f"**{_ms(total)}**"]
         for other in others:
-            row += _comparison(figures[other], ours)
+            row += _comparison(figures.get(other), ours)
         rows.append(row)
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
@@ -38,7 +39,9 @@ def largest_spread(results: Results) -> str:
     return f"Slowest round by fastest, at most: {spread:.2f} ({name}, {workload})."
 
 
-def _comparison(theirs: Figure, ours: Figure) -> list[str]:
+def _comparison(theirs: Figure | None, ours: Figure) -> list[str]:
+    if theirs is None:
+        return ["-", "-", "-"]
     ratio = median(theirs.totals) / median(ours.totals)
     best = min(theirs.totals) / min(ours.totals)
     calls, total = median(theirs.calls), median(theirs.totals)

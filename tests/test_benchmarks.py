@@ -48,3 +48,9 @@ def test_ratios_are_of_medians_and_of_best_rounds() -> None:
         "| W1 | 4 | 3.00 | 7.00 | **10.0** | 20.0 | 40.0 | 4.00 (5.00) |"
     )
     assert largest_spread(results) == "Slowest round by fastest, at most: 1.50 (sketchkit, W1)."
+
+
+def test_table_has_dashes_for_who_was_too_slow() -> None:
+    results = {("W5", 1): {"sketchkit": Figure([3.0], [10.0])}}
+
+    assert results_table(results, ["py5"]).endswith("| **10.0** | - | - | - |")
