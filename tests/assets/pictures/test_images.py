@@ -1,4 +1,5 @@
 import numpy as np
+import OpenEXR
 import pytest
 from PIL import Image
 
@@ -111,10 +112,9 @@ def test_radiance_is_floats_and_bytes_cut_to_one(tmp_path):
 
 
 def test_exr_is_floats_too(tmp_path):
-    exr = pytest.importorskip("OpenEXR")
     floats = np.array([[[0.5, 4.0, 0.0], [1.0, 0.5, 100.0]]], np.float32)
-    header = {"compression": exr.ZIP_COMPRESSION, "type": exr.scanlineimage}
-    exr.File(header, {"RGB": floats}).write(str(tmp_path / "a.exr"))
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    OpenEXR.File(header, {"RGB": floats}).write(str(tmp_path / "a.exr"))
 
     picture = load_picture(tmp_path / "a.exr")
 
