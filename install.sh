@@ -12,11 +12,12 @@ packages=(
     python3-venv
     libegl1 libgl1 libgl1-mesa-dri                       # OpenGL, also without a graphics card
     libx11-6 libxcursor1 libxi6 libxinerama1 libxrandr2  # windows
+    bubblewrap                                           # the wall around what is graded
 )
 spare=(libosmesa6) # OpenGL where EGL fails; Debian 13 no longer has it
-extras=""
+extras="[grade]"
 if [ "${1:-}" = --dev ]; then
-    packages+=(xvfb xauth xdotool) # a display and a hand, for the tests of the window
+    packages+=(xvfb xauth xdotool chromium) # a display, a hand and a browser, for the tests of windows and pages
     extras="[dev]"
 fi
 

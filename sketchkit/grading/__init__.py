@@ -1,0 +1,1 @@
+"""Grading: a class's sketches, judged fairly and safely."""
