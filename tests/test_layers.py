@@ -26,7 +26,7 @@ class Rule:
 
 
 BELOW_API = ("core", "data", "geometry", "glsl", "imaging", "draw", "assets", "vector")
-EVERYTHING = (*BELOW_API, "api", "backends", "libraries", "runtime", "grading", "stubs")
+EVERYTHING = (*BELOW_API, "tape", "api", "backends", "libraries", "runtime", "grading", "stubs")
 
 # The longest name that fits a module is the one that holds.
 RULES = {
@@ -47,10 +47,11 @@ RULES = {
         ("numpy", "PIL", "font_source_sans_pro"),
         late=("PIL", "svgelements", "OpenEXR", "uharfbuzz"),
     ),
+    "tape": Rule(("core", "geometry", "draw"), ("numpy",)),
     "vector": Rule(("core", "geometry", "draw", "assets"), ("numpy", "pydyf")),
     "api": Rule(BELOW_API, ("numpy",)),
     "libraries": Rule(("core", "geometry", "api"), ("numpy",)),
-    "runtime": Rule((*BELOW_API, "api", "backends"), ("numpy",), late=("watchfiles", "av")),
+    "runtime": Rule((*BELOW_API, "tape", "api", "backends"), ("numpy",), late=("watchfiles", "av")),
     "runtime.window": Rule((*BELOW_API, "api", "backends", "runtime"), ("numpy", "glfw")),
     "grading": Rule(EVERYTHING, ("numpy", "PIL", "scipy"), late=("jinja2", "distributed")),
     "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL"), late=("fissix",)),

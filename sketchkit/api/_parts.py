@@ -140,6 +140,10 @@ class CanvasParts(Pen):
         self._was_cleared |= kind is Kind.CLEAR
 
     @property
+    def _nesting(self) -> int:
+        return len(self._matrices)
+
+    @property
     def _is_3d(self) -> bool:
         return self._stage.is_3d
 

@@ -145,8 +145,15 @@ class Pen:
         """Keep style, stage and matrix as they are now, for the rows that follow."""
         if self._style.normal is not self._normal:
             self._style = _restyled(self._style, "normal", self._normal)
-        self._state = self._recorder.keep_state(self._style, self._stage, self._modelview)
+        self._state = self._recorder.keep_state(
+            self._style, self._stage, self._modelview, self._nesting
+        )
         return self._state
+
+    @property
+    def _nesting(self) -> int:
+        """Within how many pushMatrix() it is."""
+        return 0
 
     def _note_attributes(self, caller: str) -> None:
         """Keep normal, material and weight as they are now, for the corners that follow.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from sketchkit.api.images import IMAGE, Images
+from sketchkit.api.images import Images
 from sketchkit.api.typesetting import Typesetting
 from sketchkit.api.vertices import Vertices
 from sketchkit.assets.fonts.faces import LARGEST, NOTICEABLE, Face, Line, enlarged_size, fonts_of
@@ -17,9 +17,10 @@ from sketchkit.core.matrix import IDENTITY, scale, translate
 from sketchkit.core.notices import warn_once
 from sketchkit.core.style import NO_COLOR
 from sketchkit.draw.pipeline import Blend
-from sketchkit.draw.recorder import ROW, pack_row8
+from sketchkit.draw.recorder import ROW, Kind, pack_row8
 from sketchkit.geometry.enlargement import enlargement
 
+LETTER = Kind.LETTER.value
 PARTS = {LEFT: 0.0, CENTER: 0.5, RIGHT: 1.0}  # of a line, that are left of the point it is set at
 POINT = 1 / 64  # px: Java rounds the points of outlines so
 
@@ -143,7 +144,7 @@ class Lettering(Typesetting, Images, Vertices):
             a, b = x1 * ROUND, y1 * ROUND
             x1, y1 = a - (a - x1), b - (b - y1)
             pack_row8(
-                rows, end, IMAGE, state, color, color, 0.0, link,
+                rows, end, LETTER, state, color, color, 0.0, link,
                 x1, y1, x1 + width, y1 + height, u1, v1, u2, v2,
             )  # fmt: skip # the row, and its numbers
             end += ROW

@@ -216,7 +216,7 @@ class RetainedShapes(CanvasParts):
         if self._shaders and matrix != mat.IDENTITY:
             part, matrix = baked(part, matrix), mat.IDENTITY
         modelview = mat.multiply(self._modelview, matrix)
-        state = recorder.keep_state(self._style, self._stage, modelview)
+        state = recorder.keep_state(self._style, self._stage, modelview, self._nesting)
         recorder.parts.append(part)
         recorder.make_room()
         link = len(recorder.parts) - 1

@@ -197,6 +197,7 @@ class Transforms(CanvasParts):
                 hint="Write a popMatrix() for each pushMatrix().",
             )
         self._matrices.append((self._modelview, self._camera))
+        self._state = -1
         return Block(self.popMatrix)
 
     def popMatrix(self) -> None:

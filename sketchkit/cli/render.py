@@ -16,6 +16,7 @@ from sketchkit.cli.render_record import Record
 from sketchkit.cli.sketch_file import sketch_file
 from sketchkit.runtime.backends import RENDERERS, RendererError, open_backend
 from sketchkit.runtime.headless import Launch, render
+from sketchkit.runtime.replay import EventsError, Replay, read_replay
 from sketchkit.runtime.report import StoppedError
 
 WRONG_CALL = 2  # exit status
@@ -46,6 +47,12 @@ WRONG_CALL = 2  # exit status
 )
 @click.option("--seed", default=0, show_default=True, help="Where random() and noise() begin.")
 @click.option(
+    "--input",
+    "events",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Replay mouse and keys from an events file; the README shows how one is written.",
+)
+@click.option(
     "--json",
     "record_path",
     type=click.Path(dir_okay=False, path_type=Path),
@@ -58,6 +65,7 @@ def command(  # noqa: PLR0913 # click hands over each option
     out: Path,
     renderer: str | None,
     seed: int,
+    events: Path | None,
     record_path: Path | None,
     traceback: bool,
 ) -> None:
@@ -75,9 +83,10 @@ def command(  # noqa: PLR0913 # click hands over each option
     if choice.remark:
         say.note(choice.remark)
     record = Record(choice.backend, seed)
+    replay = _replay(events)
     for sketch, folder in folders.items():
         try:
-            _render_one(sketch, folder, numbers, record)
+            _render_one(sketch, folder, numbers, record, replay)
         except StoppedError as stopped:
             say.mistake(stopped.report, with_traceback=traceback)
             record.add_mistake(sketch, stopped.report)
@@ -86,12 +95,23 @@ def command(  # noqa: PLR0913 # click hands over each option
     sys.exit(1 if record.mistakes else 0)
 
 
-def _render_one(sketch: Path, folder: Path, numbers: Sequence[int], record: Record) -> None:
+def _replay(events: Path | None) -> Replay:
+    try:
+        return read_replay(events) if events else Replay()
+    except EventsError as problem:
+        say.note(str(problem))
+        sys.exit(WRONG_CALL)
+
+
+def _render_one(
+    sketch: Path, folder: Path, numbers: Sequence[int], record: Record, replay: Replay
+) -> None:
     def tell(path: Path, line: int, text: str) -> None:
         say.remark(path, line, text)
         record.add_remark(path, line, text)
 
-    for frame in render(Launch(sketch, tell, record.seed), numbers, record.backend):
+    launch = Launch(sketch, tell, record.seed, replay=replay)
+    for frame in render(launch, numbers, record.backend):
         file = folder / f"frame-{frame.number:04}.png"
         write_file(file, picture_bytes(frame.pixels, file.suffix))
         record.add_frame(sketch, frame, file)

@@ -8,6 +8,17 @@ FRAMES_PER_SECOND = 60
 RENDER_DATE = datetime(2000, 1, 1, 12, 0, 0)  # named in the report of a render
 
 
+def milliseconds_of(frame: int) -> int:
+    """Return what `millis()` is in a frame of a virtual clock, rounded as measured.
+
+    Examples
+    --------
+    >>> [milliseconds_of(frame) for frame in (0, 1, 2, 3)]
+    [0, 0, 17, 33]
+    """
+    return round(max(frame - 1, 0) * 1000 / FRAMES_PER_SECOND)
+
+
 class Clock(Protocol):
     """A clock that a sketch can read."""
 
@@ -33,7 +44,7 @@ class VirtualClock:
 
     def millis(self) -> int:
         """Return the milliseconds from frame 1 to this frame."""
-        return round(max(self.frame - 1, 0) * 1000 / FRAMES_PER_SECOND)
+        return milliseconds_of(self.frame)
 
     def now(self) -> datetime:
         """Return the fixed date."""

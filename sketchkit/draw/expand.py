@@ -245,5 +245,6 @@ EXPANSIONS: dict[Kind, Callable[[Rows, I64, Expansion], None]] = {
     Kind.BOX: _expand_boxes,
     Kind.SPHERE: _expand_spheres,
     Kind.IMAGE: _expand_images,
+    Kind.LETTER: _expand_images,
     Kind.SHAPE: expand_shapes,
 }

@@ -44,6 +44,7 @@ class Kind(IntEnum):
     SHAPE = 11
     SETTLE = 12
     MESH = 13
+    LETTER = 14
 
 
 WHOLE = (Kind.CLEAR, Kind.SETTLE)  # rows that concern all pixels
@@ -182,10 +183,13 @@ class Recorder:
         Used up to `row_end`, `corner_end`, `uv_end` bytes.
     styles, stages, matrices : list
         The states that rows refer to: entry i of each (12 numbers each of `matrices`).
+    nestings : list of int
+        Within how many pushMatrix() each of these states was used. Nothing is drawn by it; it is
+        there for those who look at how a sketch is made.
     attributes : list of Attributes
     shapes : list of ShapeRun
     textures : list of Texture
-        Of images, which have no shape.
+        Of images and letters, which have no shape.
     parts : list of MeshPart
         Of retained shapes.
     meshes : set of Mesh
@@ -200,6 +204,7 @@ class Recorder:
         "corners",
         "matrices",
         "meshes",
+        "nestings",
         "normals",
         "parts",
         "row_end",
@@ -225,6 +230,7 @@ class Recorder:
         self.styles: list[Style] = []
         self.stages: list[Stage] = []
         self.matrices: list[float] = []
+        self.nestings: list[int] = []
         self.attributes: list[Attributes] = []
         self.shapes: list[ShapeRun] = []
         self.textures: list[Texture] = []
@@ -239,11 +245,12 @@ class Recorder:
         part.row_end = len(part.rows)
         return part
 
-    def keep_state(self, style: Style, stage: Stage, modelview: Affine) -> int:
+    def keep_state(self, style: Style, stage: Stage, modelview: Affine, nesting: int = 0) -> int:
         """Return the index of a state for the rows that follow."""
         self.styles.append(style)
         self.stages.append(stage)
         self.matrices.extend(modelview)
+        self.nestings.append(nesting)
         return len(self.styles) - 1
 
     def replace_stage(self, old: Stage, new: Stage, first: int = 0) -> None:

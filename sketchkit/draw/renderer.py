@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -88,21 +88,33 @@ class Renderer:
 
     def flush(self) -> None:
         """Draw everything recorded so far."""
-        uploads = [canvas.take_upload() for canvas in self._canvases]
-        pixels = DrawList([upload for upload in uploads if upload is not None])
-        if pixels.commands:
-            self._execute(pixels)
+        taken = [canvas.take_upload() for canvas in self._canvases]
+        if uploads := [upload for upload in taken if upload is not None]:
+            self.upload(uploads)
         if not self.recorder.row_end:
             return
-        rows = Rows(self.recorder)
-        for reader in self.readers:
-            reader.read_rows(rows)
-        commands = Assembler(rows).assemble(expand(rows))
-        del rows  # its views would keep the recorder's buffers from growing
+        commands = self.assemble(self.recorder)
         self.recorder.clear()
         for canvas in self._canvases:
             canvas.forget_state()
-        self._execute(commands)
+        if commands is not None:
+            self._execute(commands)
+
+    def upload(self, uploads: Sequence[Upload]) -> None:
+        """Draw pixels that the sketch has set."""
+        self._execute(DrawList(list(uploads)))
+
+    def draw(self, recorder: Recorder) -> None:
+        """Draw what a recorder holds that is no canvas's."""
+        if commands := self.assemble(recorder):
+            self._execute(commands)
+
+    def assemble(self, recorder: Recorder) -> DrawList | None:
+        """Return the draw list of what a recorder holds; None if it is drawn elsewhere."""
+        rows = Rows(recorder)
+        for reader in self.readers:
+            reader.read_rows(rows)
+        return Assembler(rows).assemble(expand(rows))
 
     def _execute(self, commands: DrawList) -> None:
         is_draw = [isinstance(command, Draw | DrawMesh) for command in commands.commands]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
 
@@ -18,6 +18,7 @@ from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
 from sketchkit.runtime.loader import Program, Tell, seed_everything
 from sketchkit.runtime.loop import Loop
+from sketchkit.runtime.replay import Replay
 from sketchkit.runtime.report import reporting
 from sketchkit.runtime.source import Source
 
@@ -64,12 +65,15 @@ class Launch:
         Where its random numbers begin.
     args : sequence of str
         What it sees as `args`.
+    replay : Replay
+        What happens with mouse and keys.
     """
 
     path: Path
     tell: Tell
     seed: int = 0
     args: Sequence[str] = ()
+    replay: Replay = field(default_factory=Replay)
 
 
 def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator[Frame]:
@@ -93,7 +97,7 @@ def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator
     clock = VirtualClock()
     with opened(launch, renderer, clock) as loop:
         seed_everything(launch.seed)
-        yield from _frames(loop, clock, renderer, sorted(set(numbers)))
+        yield from _frames(Steps(loop, clock, launch.replay), renderer, sorted(set(numbers)))
 
 
 @contextmanager
@@ -122,15 +126,45 @@ def opened(
         yield Loop(program)
 
 
-def _frames(
-    loop: Loop, clock: VirtualClock, renderer: Renderer, numbers: Sequence[int]
-) -> Iterator[Frame]:
+class Steps:
+    """Takes a sketch from frame to frame by a virtual clock, and the hand with it.
+
+    Attributes
+    ----------
+    loop : Loop
+    frame : int
+        The one that was drawn last. After `noLoop()` it goes on as long as events are to come.
+    """
+
+    def __init__(self, loop: Loop, clock: VirtualClock, replay: Replay) -> None:
+        self.loop = loop
+        self.frame = 0
+        self._clock = clock
+        self._replay = replay
+
+    @property
+    def can_go_on(self) -> bool:
+        """Whether there is another frame that may differ from this one."""
+        if self.loop.is_finished:
+            return False
+        return self.loop.is_drawing or self._replay.goes_on_after(self.frame)
+
+    def step(self) -> None:
+        """Take the next frame."""
+        self.frame += 1
+        self._clock.frame = self.frame
+        for event in self._replay.at(self.frame):
+            self.loop.post(event)
+        self.loop.step()
+
+
+def _frames(steps: Steps, renderer: Renderer, numbers: Sequence[int]) -> Iterator[Frame]:
+    loop = steps.loop
     canvas = loop.program.sketch.canvas
     elapsed_s = _timed(loop.begin, renderer)
     for number in numbers:
-        while loop.frame_count < number and loop.is_drawing:
-            clock.frame = loop.frame_count + 1
-            elapsed_s = _timed(loop.step, renderer)
+        while steps.frame < number and steps.can_go_on:
+            elapsed_s = _timed(steps.step, renderer)
         reading = perf_counter()
         pixels = canvas.image_data()[:, :, :3]
         yield Frame(
@@ -139,7 +173,7 @@ def _frames(
             renderer.stats.draw_calls,
             renderer.stats.vertices,
             round((elapsed_s + perf_counter() - reading) * 1000, 3),
-            loop.frame_count if loop.frame_count < number else None,
+            steps.frame if steps.frame < number else None,
         )
     loop.end()
 

@@ -25,6 +25,7 @@ from sketchkit.vector.views import View, views_of
 ITEMS: dict[int, Callable[[Rows, int, View], Iterator[Item | None]]] = {
     **FLAT_ITEMS,
     Kind.IMAGE: image_items,
+    Kind.LETTER: image_items,
     Kind.SHAPE: shape_items,
 }
 
