@@ -37,10 +37,8 @@ def number_at(path: str, namespace: Mapping[str, object]) -> float:
         value = namespace[name[0]]
         for step in _STEP.finditer(path, name.end()):
             attribute, index, _, key = step.groups()
-            if attribute:
-                value = getattr(value, attribute)
-            else:
-                value = value[int(index) if index else key]  # type: ignore[index] # or it has none
+            item = int(index) if index else key
+            value = getattr(value, attribute) if attribute else value[item]  # type: ignore[index]
         return float(value)  # type: ignore[arg-type] # or it is no number
     except Exception:  # whatever the sketch's own objects raise
         return math.nan
