@@ -89,6 +89,9 @@ class RunEvidence:
     is_deterministic : bool or None
     seconds : float
         Processor time.
+    variants : dict of str to dict of int to Path
+        Of references alone: frames that were redrawn otherwise, by what was otherwise, to explain
+        a difference in words ("lights off").
     """
 
     status: Status
@@ -100,6 +103,7 @@ class RunEvidence:
     console: str = ""
     is_deterministic: bool | None = None
     seconds: float = 0.0
+    variants: dict[str, dict[int, Path]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ the values that were watched, `remark`, `mistake`, and `end` when it has come to
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -70,7 +71,8 @@ def record(
 def _mark(steps: Steps, renderer: TapeRenderer, watched: Sequence[str]) -> None:
     """Write that a frame is complete."""
     program = steps.loop.program
+    names = ChainMap(program.namespace, program.names)
     renderer.flush()
     number = renderer.tape.number_of(program.sketch.canvas.target)
-    values = [number_at(path, program.namespace) for path in watched]
+    values = [number_at(path, names) for path in watched]
     renderer.send(Message("frame", {"number": steps.frame, "canvas": number, "values": values}))

@@ -104,5 +104,3 @@ def _exceeded(job: Job, watched: Watched, written: int, text: str) -> Iterator[E
     # The system only says that there is no more; what follows from that, the job has printed.
     if watched.status != 0 and any(words in text for words in OUT_OF_MEMORY):
         yield Exceeded.MEMORY
-
-

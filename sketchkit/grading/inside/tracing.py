@@ -1,0 +1,109 @@
+"""A trace of each frame: what its draw lists show, counted while a tape is played."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+
+import numpy as np
+
+from sketchkit.draw.commands import Draw, DrawList, DrawMesh
+from sketchkit.draw.meshes import Mesh
+from sketchkit.draw.recorder import WHOLE, Kind
+from sketchkit.draw.resources import Pixels, Target, Texture
+from sketchkit.draw.rows import Rows
+from sketchkit.draw.shading import Shading
+from sketchkit.draw.stage import Stage
+from sketchkit.grading.evidence import Trace
+
+# Names of kinds that differ from the recorder's: letters are what text() draws.
+NAMES = {Kind.LETTER: "text"}
+
+
+class Tracer:
+    """Reads along with a renderer.
+
+    Parameters
+    ----------
+    mesh_kinds : mapping of Mesh to dict
+        What retained geometry was made from.
+    """
+
+    def __init__(self, mesh_kinds: Mapping[Mesh, dict[str, int]]) -> None:
+        self._mesh_kinds = mesh_kinds
+        self._begin()
+
+    def _begin(self) -> None:
+        self._kinds: Counter[str] = Counter()
+        self._nesting = self._lights = self._draw_calls = self._vertices = 0
+        self._meshes: set[Mesh] = set()
+        self._textures: set[Pixels] = set()
+        self._targets: set[Target] = set()
+        self._shaders: dict[str, set[str]] = {}
+
+    def take(self, canvas: Target) -> Trace:
+        """Return the trace of what was drawn since the last time.
+
+        `canvas` is the main one: the others count as canvases.
+        """
+        for mesh in self._meshes:
+            self._kinds.update(self._mesh_kinds.get(mesh, {}))
+        trace = Trace(
+            kinds=dict(sorted(self._kinds.items())),
+            nesting=self._nesting,
+            lights=self._lights,
+            retained=len(self._meshes),
+            textures=len(self._textures),
+            canvases=len(self._targets - {canvas}),
+            shaders={name: tuple(sorted(given)) for name, given in sorted(self._shaders.items())},
+            draw_calls=self._draw_calls,
+            vertices=self._vertices,
+        )
+        self._begin()
+        return trace
+
+    def read_rows(self, rows: Rows) -> None:
+        """Take what was recorded."""
+        drawn = ~np.isin(rows.kinds, WHOLE)
+        kinds, counts = np.unique(rows.kinds[drawn], return_counts=True)
+        for kind, count in zip(kinds.tolist(), counts.tolist(), strict=True):
+            self._kinds[NAMES.get(Kind(kind), Kind(kind).name.lower())] += count
+        recorder = rows.recorder
+        for state in np.unique(rows.states[drawn]).tolist():
+            self._nesting = max(self._nesting, recorder.nestings[state])
+            self._look_at(recorder.stages[state])
+        self._meshes |= recorder.meshes
+        self._take_textures(_textures(rows))
+
+    def read_commands(self, commands: DrawList) -> None:
+        """Take what is about to be drawn."""
+        self._vertices += sum(len(block.positions) for block in commands.blocks.values())
+        for command in commands.commands:
+            self._draw_calls += isinstance(command, Draw | DrawMesh)
+            if isinstance(command, DrawMesh):
+                part = command.part
+                self._vertices += min(part.count, len(part.mesh.blocks[part.layer].positions))
+
+    def _look_at(self, stage: Stage) -> None:
+        self._lights = max(self._lights, len(stage.lights or ()))
+        self._targets.add(stage.target)
+        for shading in stage.shadings:
+            if isinstance(shading, Shading):
+                given = self._shaders.setdefault(shading.source.name, set())
+                given |= set(shading.uniforms.values)
+
+    def _take_textures(self, textures: Iterable[Texture | None]) -> None:
+        for texture in textures:
+            if isinstance(texture, Pixels):
+                self._textures.add(texture)
+            elif texture is not None:
+                self._targets.add(texture)
+
+
+def _textures(rows: Rows) -> Iterator[Texture | None]:
+    """Yield what shapes are covered with; not the pictures of letters."""
+    recorder = rows.recorder
+    links = np.unique(rows.links[rows.kinds == Kind.IMAGE])
+    yield from (recorder.textures[link] for link in links.tolist())
+    yield from (run.texture for run in recorder.shapes)
+    yield from (part.texture for part in recorder.parts)
