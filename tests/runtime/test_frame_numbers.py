@@ -1,6 +1,6 @@
 import pytest
 
-from sketchkit.cli.frames import parse_frames
+from sketchkit.runtime.frame_numbers import parse_frames
 
 
 @pytest.mark.parametrize(
