@@ -1,0 +1,1 @@
+"""Assignments: a folder with `assignment.toml`, references and data, as plain values."""
