@@ -53,7 +53,9 @@ RULES = {
     "libraries": Rule(("core", "geometry", "api"), ("numpy",)),
     "runtime": Rule((*BELOW_API, "tape", "api", "backends"), ("numpy",), late=("watchfiles", "av")),
     "runtime.window": Rule((*BELOW_API, "api", "backends", "runtime"), ("numpy", "glfw")),
-    "grading": Rule(EVERYTHING, ("numpy", "PIL", "scipy"), late=("jinja2", "distributed")),
+    "grading": Rule(
+        EVERYTHING, ("numpy", "PIL", "scipy"), late=("jinja2", "markupsafe", "distributed")
+    ),
     "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL"), late=("fissix",)),
     "stubs": Rule(EVERYTHING),
     "__init__": Rule(EVERYTHING),

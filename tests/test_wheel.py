@@ -33,6 +33,14 @@ def test_every_shader_is_in_it(names: set[str]) -> None:
     assert {f"sketchkit/{path.relative_to(ROOT).as_posix()}" for path in shaders} - names == set()
 
 
+def test_templates_of_pages_are_in_it(names: set[str]) -> None:
+    pages = ROOT / "sketchkit" / "grading" / "pages"
+    files = {path.relative_to(ROOT).as_posix() for path in pages.iterdir() if path.is_file()}
+
+    assert "sketchkit/grading/pages/comparison.html.j2" in files
+    assert files - names == set()
+
+
 def test_licence_is_in_it(names: set[str]) -> None:
     assert any(name.endswith("/licenses/LICENSE") for name in names)
 

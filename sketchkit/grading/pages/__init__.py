@@ -1,0 +1,1 @@
+"""Pages that readers open in a browser: templates, the style and the script that they share."""
