@@ -6,6 +6,7 @@ Everything here can be written as JSON and read again; `to_json` and `from_json`
 from __future__ import annotations
 
 import dataclasses
+import math
 import types
 import typing
 from collections.abc import Iterable, Mapping
@@ -176,12 +177,18 @@ class ClassResult:
 
 
 def to_json(value: object) -> object:
-    """Return a result as dictionaries, lists, texts and numbers."""
+    """Return a result as dictionaries, lists, texts and numbers.
+
+    JSON has no NaN and no infinities: they are written as texts, "nan" and "inf", which
+    `from_json` takes for numbers again.
+    """
     match value:
         case Enum():
             return value.value
         case Path():
             return value.as_posix()
+        case float() if not math.isfinite(value):
+            return str(value)
         case tuple() | list():
             return [to_json(item) for item in value]
         case Mapping():

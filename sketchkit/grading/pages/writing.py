@@ -9,12 +9,39 @@ from __future__ import annotations
 import base64
 import hashlib
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 from importlib import resources
+
 from sketchkit.assets.output import U8, picture_bytes
 from sketchkit.core.errors import SketchError
+from sketchkit.grading.texts import visible
 
 FOLDER = "sketchkit.grading.pages"
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What a page is made of besides its template.
+
+    Attributes
+    ----------
+    styles, scripts : tuple of str
+        Files of this folder, in their order.
+    pictures : str
+        Where pictures may come from, as a Content-Security-Policy says it.
+    """
+
+    styles: tuple[str, ...] = ("style.css",)
+    scripts: tuple[str, ...] = ("comparison.js",)
+    pictures: str = "'self' file: data:"
+
+
+_REPORT_STYLES = ("style.css", "report.css")
+PARTS = {
+    "student.html.j2": Parts(_REPORT_STYLES, pictures="data:"),
+    "class.html.j2": Parts(_REPORT_STYLES, ("class.js",), pictures="data:"),
+}
 
 
 def page(template: str, **values: object) -> str:
@@ -56,16 +83,18 @@ def _renderer(template: str) -> Callable[..., str]:
     environment = Environment(
         loader=FunctionLoader(_text),
         autoescape=True,
+        finalize=lambda value: visible(value) if type(value) is str else value,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    style, script = _text("style.css"), _text("comparison.js")
+    parts = PARTS.get(template, Parts())
+    style, script = _joined(parts.styles), _joined(parts.scripts)
     environment.globals.update(
         style=Markup(f"<style>{style}</style>"),  # ours, not a submission's
         script=Markup(f"<script>{script}</script>"),
         policy=(
-            f"default-src 'none'; img-src 'self' file: data:; style-src {_hash(style)}; "
+            f"default-src 'none'; img-src {parts.pictures}; style-src {_hash(style)}; "
             f"script-src {_hash(script)}; base-uri 'none'; form-action 'none'"
         ),
     )
@@ -74,6 +103,10 @@ def _renderer(template: str) -> Callable[..., str]:
 
 def _text(name: str) -> str:
     return (resources.files(FOLDER) / name).read_text(encoding="utf-8")
+
+
+def _joined(names: tuple[str, ...]) -> str:
+    return "\n".join(_text(name) for name in names)
 
 
 def _hash(text: str) -> str:
