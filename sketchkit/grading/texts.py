@@ -16,11 +16,11 @@ _UNSEEN = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\xad\u061c\u115f\u1160\u180e\u200b\u200e\u200f\u2028-\u202e"
     "\u2060-\u206f\u3164\ud800-\udfff\ufdd0-\ufdef\ufeff\uffa0\ufff9-\ufffb\ufffe\uffff"
     "\U000e0000-\U000e007f"
-    + "".join(f"{chr(plane + 0xFFFE)}{chr(plane + 0xFFFF)}" for plane in range(0x10000, 0x110000, 0x10000))
+    + "".join(
+        f"{chr(plane + 0xFFFE)}{chr(plane + 0xFFFF)}" for plane in range(0x10000, 0x110000, 0x10000)
+    )
     + "]"
 )
-_CONTROL_PICTURES = 0x2400  # Unicode's signs for the first 32 controls, in their order
-_DELETE_PICTURE = "\u2421"
 
 
 def visible(text: str) -> str:
@@ -32,7 +32,7 @@ def visible(text: str) -> str:
     Examples
     --------
     >>> print(visible("\x1b[31mred\x00 \u202eabc"))
-    ␛[31mred␀ ⟨U+202E⟩abc
+    ⟨U+001B⟩[31mred⟨U+0000⟩ ⟨U+202E⟩abc
     """
     if text.isascii() and text.isprintable():  # pictures as data: addresses, of megabytes
         return text
@@ -41,11 +41,9 @@ def visible(text: str) -> str:
 
 def visible_line(text: str) -> str:
     """Return a text as `visible` does, in one line: with signs for tabs and newlines too."""
-    return visible(text).replace("\n", "␊").replace("\t", "␉")
+    return visible(text).replace("\n", "⏎").replace("\t", "⇥")
 
 
 def _sign(match: re.Match[str]) -> str:
-    code = ord(match[0])
-    if code < 32:
-        return chr(_CONTROL_PICTURES + code)
-    return _DELETE_PICTURE if code == 127 else f"⟨U+{code:04X}⟩"
+    # Unicode has signs for the first 32, but few faces do.
+    return f"⟨U+{ord(match[0]):04X}⟩"

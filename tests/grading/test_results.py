@@ -1,4 +1,5 @@
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -69,3 +70,13 @@ def test_marks_are_the_sum_of_the_checks() -> None:
 def test_something_else_is_refused() -> None:
     with pytest.raises((KeyError, TypeError, ValueError)):
         from_json(ClassResult, {"title": "Boxes"})
+
+
+def test_what_is_no_number_is_written_as_json_allows() -> None:
+    curve = Curve("x", (1, 2), (math.nan, -math.inf), (0.0, 0.0), (1.0, math.inf))
+
+    text = json.dumps(to_json(curve), allow_nan=False)
+
+    read = from_json(Curve, json.loads(text))
+    assert math.isnan(read.values[0])
+    assert (read.values[1], read.high[1]) == (-math.inf, math.inf)

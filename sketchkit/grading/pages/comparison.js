@@ -59,6 +59,10 @@
     zoom.addEventListener("change", resize);
     scrollTogether([...panes.querySelectorAll(".window")]);
     if (layered) {
+      // The script copies the addresses: a picture may be in its address, and then counts twice.
+      for (const copy of layered.querySelectorAll("img")) {
+        copy.src = panes.querySelector(`img[alt="${copy.alt}"]`).src;
+      }
       const split = layered.querySelector(".split");
       const stack = layered.querySelector(".stack");
       const follow = () => stack.style.setProperty("--split", `${split.value}%`);

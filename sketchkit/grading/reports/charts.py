@@ -22,6 +22,7 @@ Point = TypeVar("Point")
 
 MOST_STEPS = 6  # of an axis: more labels do not fit on a phone
 MOST_BARS = 10
+TALLEST = 84.0  # percent of a histogram's height; its count stands above it
 # A curve that shoots off must not press the band flat: so many heights of the band are shown on
 # each side of it.
 BAND_MARGIN = 1.5
@@ -52,7 +53,7 @@ class CurveChart:
     bands, lines : tuple of str
         Points of polygons, and of polylines, between gaps.
     outside : tuple of (str, str)
-        Where the curve leaves the band: x and y.
+        Where the curve leaves the band: x and y, at the chart's edge if they lie beyond it.
     gaps : tuple of (str, str)
         Left end and width of where there is no number.
     words : str
@@ -74,7 +75,12 @@ class Bar:
 
     label: str
     count: int
-    height: float  # percent of the highest
+    height: float  # percent of the chart's
+
+    @property
+    def top(self) -> float:
+        """Percent of the chart's height that are above it."""
+        return 100 - self.height
 
 
 def curve_chart(curve: Curve) -> CurveChart | None:
@@ -96,7 +102,7 @@ def curve_chart(curve: Curve) -> CurveChart | None:
             for run in banded
         ),
         lines=tuple(_points(x, y, run if len(run) > 1 else run * 2) for run in known),
-        outside=tuple((_unit(x.place(f)), _height(y, v)) for f, v in outside),
+        outside=tuple((_unit(x.place(f)), _height(y, v, edge=0.0)) for f, v in outside),
         gaps=_gaps(x, points),
         words=_words(curve, len(outside), sum(not _is_drawn(v) for v in curve.values)),
     )
@@ -126,7 +132,7 @@ def histogram(students: Sequence[StudentResult]) -> tuple[Bar, ...]:
     counts, _ = np.histogram(np.clip(marks, 0, edges[-1]), edges)
     ends = [plain(float(edge)) for edge in edges]
     return tuple(
-        Bar(f"{low}-{high}", int(count), round(100 * int(count) / int(counts.max()), 2))
+        Bar(f"{low}-{high}", int(count), round(TALLEST * int(count) / int(counts.max()), 2))
         for low, high, count in zip(ends, ends[1:], counts, strict=False)
     )
 
@@ -176,8 +182,9 @@ def _points(x: Axis, y: Axis, pairs: Iterable[tuple[float, float]]) -> str:
     return " ".join(f"{_unit(x.place(frame))},{_height(y, value)}" for frame, value in pairs)
 
 
-def _height(y: Axis, value: float) -> str:
-    return _unit(min(max(100 - y.place(value), -EDGE), EDGE))
+def _height(y: Axis, value: float, edge: float = EDGE) -> str:
+    """Return how far down a value lies, at most so many units beyond an end of the axis."""
+    return _unit(min(max(100 - y.place(value), 0.0 - edge), 100 + edge))
 
 
 def _unit(number: float) -> str:
@@ -185,6 +192,6 @@ def _unit(number: float) -> str:
 
 
 def _words(curve: Curve, outside: int, missing: int) -> str:
-    words = f"{curve.name}, frames {curve.frames[0]} to {curve.frames[-1]}: "
+    words = f"frames {curve.frames[0]} to {curve.frames[-1]}: "
     words += f"{outside} outside of the band" if outside else "never outside of the band"
     return f"{words}, {missing} without a number." if missing else f"{words}."

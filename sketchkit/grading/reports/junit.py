@@ -33,7 +33,8 @@ def junit(result: ClassResult) -> bytes:
     for number, student in enumerate(result.students):
         _add_suite(root, number, student, result)
     ElementTree.indent(root)
-    return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
+    text: bytes = ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
+    return text + b"\n"
 
 
 def _add_suite(root: Element, number: int, student: StudentResult, result: ClassResult) -> None:

@@ -44,7 +44,7 @@ def in_order(students: Sequence[StudentResult]) -> tuple[Placed, ...]:
     """Return submissions, those that stand out first, each with why it does."""
     middle, distance = usual_marks(students)
 
-    def place(student: StudentResult) -> tuple[tuple[int, float, str], Placed]:
+    def place(student: StudentResult) -> tuple[tuple[int, float, tuple[str, str]], Placed]:
         remarks = _incidents(student)
         away = student.points - middle if student.status is Status.GRADED else 0.0
         is_far = abs(away) > distance
@@ -79,5 +79,7 @@ def _rank(student: StudentResult) -> int:
     return len(INCIDENTS) if student.is_deterministic is False else len(INCIDENTS) + 1
 
 
-def _by_name(student: StudentResult) -> str:
-    return unicodedata.normalize("NFKD", student.name).casefold()
+def _by_name(student: StudentResult) -> tuple[str, str]:
+    """Return what names are sorted by: letters without case and accents, then the name itself."""
+    letters = unicodedata.normalize("NFKD", student.name).casefold()
+    return "".join(c for c in letters if not unicodedata.combining(c)), student.name

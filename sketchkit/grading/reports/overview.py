@@ -13,13 +13,12 @@ from sketchkit.grading.reports.figures import (
     check_of,
     has_marks,
     is_deterministic_in_words,
-    is_full,
     plain,
 )
 from sketchkit.grading.reports.order import Placed, in_order, usual_marks
 from sketchkit.grading.reports.pictures import thumbnail_uri
-from sketchkit.grading.reports.student import mood
-from sketchkit.grading.results import CheckResult, ClassResult, Status, StudentResult
+from sketchkit.grading.reports.student import check_mood, total_mood
+from sketchkit.grading.results import ClassResult, Status, StudentResult
 
 
 @dataclass(frozen=True)
@@ -31,6 +30,9 @@ class Cell:
     mood: str
 
 
+UNKNOWN = Cell("-", "-1", "unknown")  # sorted below 0
+
+
 @dataclass(frozen=True)
 class Row:
     """A submission, as the template takes it."""
@@ -38,7 +40,6 @@ class Row:
     name: str
     link: str
     marks: Cell
-    out_of: str
     checks: tuple[Cell, ...]
     status: str
     is_graded: bool
@@ -48,9 +49,7 @@ class Row:
     remarks: tuple[str, ...]
 
 
-def class_values(
-    result: ClassResult, folder: Path, links: Mapping[str, Path]
-) -> dict[str, object]:
+def class_values(result: ClassResult, folder: Path, links: Mapping[str, Path]) -> dict[str, object]:
     """Return what the template `class.html.j2` names; `links` has the pages by slug."""
     names = check_names(result)
     placed = in_order(result.students)
@@ -67,25 +66,23 @@ def class_values(
         "distance": plain(distance),
         "bars": histogram(result.students),
         "record": result.record,
-        "sandboxes": sorted({student.sandbox for student in result.students if student.sandbox}),
+        "sandboxes": _sandboxes(result),
     }
+
+
+def _sandboxes(result: ClassResult) -> list[str]:
+    """Return the levels that submissions ran at, if the record does not say it for all."""
+    levels = sorted({student.sandbox for student in result.students if student.sandbox})
+    return [] if levels == [result.record.get("sandbox")] else levels
 
 
 def _row(placed: Placed, names: tuple[str, ...], folder: Path, link: Path) -> Row:
     student = placed.student
-    is_known = has_marks(student)
-    share = student.points / student.out_of if student.out_of > 0 else 0.0
-    is_all = bool(student.checks) and all(is_full(check) for check in student.checks)
     return Row(
         name=student.name,
         link=quote(link.as_posix()),
-        marks=(
-            Cell(plain(student.points), _value(student.points), "full" if is_all else mood(min(share, 0.99)))
-            if is_known
-            else UNKNOWN
-        ),
-        out_of=plain(student.out_of),
-        checks=tuple(_cell(check_of(student, name), student) for name in names),
+        marks=_cell(student.points, total_mood(student)) if has_marks(student) else UNKNOWN,
+        checks=tuple(_check_cell(student, name) for name in names),
         status=student.status.value,
         is_graded=student.status is Status.GRADED,
         deterministic=is_deterministic_in_words(student),
@@ -95,15 +92,12 @@ def _row(placed: Placed, names: tuple[str, ...], folder: Path, link: Path) -> Ro
     )
 
 
-UNKNOWN = Cell("–", "-1", "unknown")  # sorted below 0
-
-
-def _cell(check: CheckResult | None, student: StudentResult) -> Cell:
+def _check_cell(student: StudentResult, name: str) -> Cell:
+    check = check_of(student, name)
     if check is None or not has_marks(student):
         return UNKNOWN
-    shown = "full" if is_full(check) else mood(min(check.score, 0.99))
-    return Cell(plain(check.points), _value(check.points), shown)
+    return _cell(check.points, check_mood(check))
 
 
-def _value(number: float) -> str:
-    return f"{number:.4f}"
+def _cell(points: float, shown_as: str) -> Cell:
+    return Cell(plain(points), f"{points:.4f}", shown_as)

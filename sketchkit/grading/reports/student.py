@@ -50,9 +50,10 @@ def student_values(
     return {
         "title": title,
         "name": student.name,
-        "marks": plain(student.points) if has_marks(student) else "–",
+        "marks": plain(student.points) if has_marks(student) else "-",
         "out_of": plain(student.out_of),
         "percent": _percent(student.points, student.out_of),
+        "mood": total_mood(student),
         "status": student.status.value,
         "is_graded": student.status is Status.GRADED,
         "explanation": student.explanation,
@@ -69,10 +70,19 @@ def student_values(
     }
 
 
-def mood(score: float) -> str:
-    """Return what a score is drawn as: "full", "most", "some" or "none"."""
-    if score >= 1:
+def check_mood(check: CheckResult) -> str:
+    """Return what a check is drawn as: "full", "most", "some" or "none"."""
+    return "full" if is_full(check) else _mood(check.score)
+
+
+def total_mood(student: StudentResult) -> str:
+    """Return what all of a submission's checks are drawn as."""
+    if student.checks and all(is_full(check) for check in student.checks):
         return "full"
+    return _mood(student.points / student.out_of if student.out_of > 0 else 0.0)
+
+
+def _mood(score: float) -> str:
     return "none" if score <= 0 else "most" if score >= 0.5 else "some"
 
 
@@ -84,7 +94,7 @@ def _section(check: CheckResult, folder: Path) -> Section:
         points=plain(check.points),
         out_of=plain(check.out_of),
         percent=_percent(check.points, check.out_of),
-        mood="full" if is_full(check) else mood(min(check.score, 0.99)),
+        mood=check_mood(check),
         reasons=check.reasons,
         pairs=tuple(_pair(comparison, folder) for comparison in check.comparisons),
         curves=tuple((name, chart) for name, chart in charts if chart),

@@ -37,7 +37,7 @@ SCRIPT = "<script>document.title='PWNED'</script>"
 HOSTILE = (
     SCRIPT,
     "</script></style></title></textarea><img src=x onerror=\"document.title='PWNED'\">",
-    "\"><svg onload=\"document.title='PWNED'\">",
+    '"><svg onload="document.title=\'PWNED\'">',
     "' onmouseover='document.title=1' x='",
     "{{ 7 * 7 }}{% raw %}",
     "javascript:document.title='PWNED'",
@@ -185,7 +185,9 @@ def _unlucky(folder: Path, count: int) -> list[StudentResult]:
 
 def _pair(folder: Path, slug: str, look: Look, frame: int) -> Comparison:
     submitted, expected = _draw(look, frame), _draw(Look(), frame)
-    difference = np.abs(np.asarray(submitted, np.int16) - np.asarray(expected, np.int16)).max(axis=2)
+    difference = np.abs(np.asarray(submitted, np.int16) - np.asarray(expected, np.int16)).max(
+        axis=2
+    )
     names = [f"pictures/{slug}-{frame}-{kind}.png" for kind in ("drawn", "expected", "difference")]
     heat = np.stack([difference, difference // 2, 60 - difference // 5], axis=2).astype(np.uint8)
     (folder / "pictures").mkdir(parents=True, exist_ok=True)
@@ -216,9 +218,9 @@ def _draw(look: Look, frame: int) -> Image.Image:
 def _curve(look: Look) -> Curve:
     frames = tuple(range(1, 61))
     path = [150 - 90 * abs(math.sin(frame / 12)) for frame in frames]
-    values = [y + (look.shift * 2 if 21 <= f <= 40 else 1) for f, y in zip(frames, path, strict=True)]
+    values = [
+        y + (look.shift * 2 if 21 <= f <= 40 else 1) for f, y in zip(frames, path, strict=True)
+    ]
     if look.shift > 20:
         values[8:13] = [math.nan] * 5
-    return Curve(
-        "y", frames, tuple(values), tuple(y - 6 for y in path), tuple(y + 6 for y in path)
-    )
+    return Curve("y", frames, tuple(values), tuple(y - 6 for y in path), tuple(y + 6 for y in path))
