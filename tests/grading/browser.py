@@ -8,8 +8,8 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
-from types import TracebackType
 from typing import Any  # what DevTools answers
 
 import numpy as np
@@ -27,6 +27,14 @@ FLAGS = (
     "--disable-component-update",
     "--force-color-profile=srgb",
 )
+# DevTools reads from descriptor 3 and writes to 4. First out of the way: an end may be 3 or 4.
+PUT_PIPES = """
+import fcntl, os, sys
+ends = [fcntl.fcntl(int(end), fcntl.F_DUPFD, 10) for end in sys.argv[1:3]]
+for end, place in zip(ends, (3, 4)):
+    os.dup2(end, place)
+os.execvp(sys.argv[3], sys.argv[3:])
+"""
 
 
 def find_browser() -> str:
@@ -52,45 +60,41 @@ class Browser:
     """
 
     def __init__(self, profile: Path) -> None:
-        ours, its_output = os.pipe()
-        its_input, self._to_it = os.pipe()
-        command = [find_browser(), *FLAGS, f"--user-data-dir={profile}", "about:blank"]
-        if hasattr(os, "geteuid") and os.geteuid() == 0:
-            command.append("--no-sandbox")  # Chromium refuses to sandbox what root starts
-        # DevTools reads from descriptor 3 and writes to 4: a shell puts the pipes there.
-        script = f'exec "$@" 3<&{its_input} 4>&{its_output}'
-        self._process = subprocess.Popen(
-            ["sh", "-c", script, "sh", *command],
-            pass_fds=(its_input, its_output),
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-        os.close(its_input)
-        os.close(its_output)
-        self._from_it = os.fdopen(ours, "rb")
         self._answers = b""
         self._count = 0
         self._session = ""
         self._is_loaded = False
         self.requests: list[str] = []
         self.faults: list[str] = []
-        (target,) = (
-            t for t in self.send("Target.getTargets")["targetInfos"] if t["type"] == "page"
+        self._start([find_browser(), *FLAGS, f"--user-data-dir={profile}", "about:blank"])
+        try:
+            target = self.send("Target.createTarget", url="about:blank")["targetId"]
+            answer = self.send("Target.attachToTarget", targetId=target, flatten=True)
+            self._session = answer["sessionId"]
+            for domain in ("Page", "Runtime", "Network", "Log"):
+                self.send(f"{domain}.enable")
+        except BaseException:
+            self.close()
+            raise
+
+    def _start(self, command: list[str]) -> None:
+        if os.geteuid() == 0:
+            command.append("--no-sandbox")  # Chromium refuses to sandbox what root starts
+        ours, its_output = os.pipe()
+        its_input, self._to_it = os.pipe()
+        ends = (its_input, its_output)
+        self._process = subprocess.Popen(
+            [sys.executable, "-ISc", PUT_PIPES, *map(str, ends), *command],
+            pass_fds=ends,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
         )
-        answer = self.send("Target.attachToTarget", targetId=target["targetId"], flatten=True)
-        self._session = answer["sessionId"]
-        for domain in ("Page", "Runtime", "Network", "Log"):
-            self.send(f"{domain}.enable")
+        for end in ends:
+            os.close(end)
+        self._from_it = os.fdopen(ours, "rb")
 
-    def __enter__(self) -> Browser:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
+        """End the browser."""
         self._process.kill()
         self._process.wait()
         self._from_it.close()

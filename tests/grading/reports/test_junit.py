@@ -10,12 +10,13 @@ from sketchkit.grading.results import CheckResult, ClassResult, Status, StudentR
 from sketchkit.grading.texts import visible
 from tests.grading.reports.sample import HOSTILE, hostile_student
 
+COUNTS = ("tests", "failures", "errors", "skipped")
 # What the schemas of Ant's task and of Jenkins both allow: attributes, all of which Ant requires,
 # and children in their order.
 SCHEMA: dict[str, tuple[set[str], tuple[str, ...]]] = {
     "testsuites": (set(), ("testsuite",)),
     "testsuite": (
-        set("name package id hostname timestamp tests failures errors skipped time".split()),
+        {"name", "package", "id", "hostname", "timestamp", "time", *COUNTS},
         ("properties", "testcase", "system-out", "system-err"),
     ),
     "properties": (set(), ("property",)),

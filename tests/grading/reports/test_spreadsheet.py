@@ -29,9 +29,11 @@ def student(**changes: object) -> StudentResult:
 
 def test_row_has_marks_of_all_checks() -> None:
     assert read(table(ClassResult("Boxes", (student(seconds=1.5),)))) == [
-        "name,folder,status,marks,out of,check: Box,check: Loop,deterministic,seconds,sandbox,"
-        "explanation".split(","),
-        "Åsa,Asa,graded,2.25,3.5,1.25,1.0,yes,1.5,,".split(","),
+        [
+            *("name", "folder", "status", "marks", "out of", "check: Box", "check: Loop"),
+            *("deterministic", "seconds", "sandbox", "explanation"),
+        ],
+        ["Åsa", "Asa", "graded", "2.25", "3.5", "1.25", "1.0", "yes", "1.5", "", ""],
     ]
 
 
