@@ -18,7 +18,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from sketchkit.grading.sandbox.channels import Channels, plan_of
-from sketchkit.grading.sandbox.job import Job
+from sketchkit.grading.sandbox.job import Job, SandboxError
 from sketchkit.grading.sandbox.level import Level
 from sketchkit.grading.sandbox.plan import Plan
 from sketchkit.grading.sandbox.surroundings import (
@@ -30,10 +30,28 @@ from sketchkit.grading.sandbox.surroundings import (
 )
 from sketchkit.grading.sandbox.watch import Running
 
+AS_ROOT = (
+    "Submissions are not run as root without a user namespace: they could change this computer. "
+    "Grade as an ordinary user, or allow bubblewrap to make such a namespace."
+)
+
+
+def is_root() -> bool:
+    """Return whether this process may do everything."""
+    return sys.platform != "win32" and os.getuid() == 0
+
 
 @contextlib.contextmanager
 def started(job: Job, level: Level, channels: Channels) -> Iterator[Running]:
-    """Start a job, and see to it that none of it is left at the end."""
+    """Start a job, and see to it that none of it is left at the end.
+
+    Raises
+    ------
+    SandboxError
+        If this is root, whom no limit binds.
+    """
+    if is_root():
+        raise SandboxError(AS_ROOT)
     scratch = Path(tempfile.mkdtemp(prefix="sketchkit-")).resolve()
     try:
         plan = _plan(job, level, channels, scratch)

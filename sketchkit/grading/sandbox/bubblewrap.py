@@ -159,7 +159,8 @@ def has_spare_users() -> bool:
 
 
 def _covers_spare(map_of_ids: Path) -> bool:
-    ranges = [[int(number) for number in line.split()] for line in map_of_ids.open()]
+    lines = map_of_ids.read_text().splitlines()
+    ranges = [[int(number) for number in line.split()] for line in lines]
     last = FIRST_SPARE_USER + SPARE_USERS
     return any(first <= FIRST_SPARE_USER and last < first + count for first, _, count in ranges)
 
@@ -197,7 +198,8 @@ def _system(users: int) -> Iterator[str]:
             yield from ("--ro-bind-try", str(place), str(place))
     for name in SETTINGS:
         yield from ("--ro-bind-try", f"/etc/{name}", f"/etc/{name}")
-    yield from ("--ro-bind-data", str(users), "/etc/passwd", "--proc", "/proc")
+    yield from ("--perms", "0644", "--file", str(users), "/etc/passwd")
+    yield from ("--proc", "/proc")
     yield from ("--size", "65536", "--tmpfs", "/dev")
     for name in DEVICES:
         yield from ("--dev-bind", f"/dev/{name}", f"/dev/{name}")

@@ -4,22 +4,17 @@ from __future__ import annotations
 
 import functools
 import json
-import os
 import sys
 import tempfile
 from dataclasses import replace
 from pathlib import Path
 
-from sketchkit.grading.sandbox import bubblewrap
+from sketchkit.grading.sandbox import bare, bubblewrap
 from sketchkit.grading.sandbox.job import Job, Limits, SandboxError
 from sketchkit.grading.sandbox.level import Level
 from sketchkit.grading.sandbox.run import run
 
 TRIAL = "sketchkit.grading.sandbox.trial"
-AS_ROOT = (
-    "Submissions are not run as root without a user namespace: they could change this computer. "
-    "Grade as an ordinary user, or allow bubblewrap to make one. {seen}"
-)
 
 
 @functools.cache
@@ -32,10 +27,10 @@ def probe() -> Level:
         if walled.bubblewrap:
             return walled
         seen = f"Bubblewrap was tried: {' '.join(walled.missing) or 'it does not hold.'}"
-    if hasattr(os, "getuid") and os.getuid() == 0:
-        return Level(refusal=AS_ROOT.format(seen=seen), missing=(seen,))
-    bare = _tried(Level(seccomp=linux, landlock=linux, is_trial=True))
-    return replace(bare, missing=(*bare.missing, seen))
+    if bare.is_root():
+        return Level(refusal=f"{bare.AS_ROOT} {seen}", missing=(seen,))
+    found = _tried(Level(seccomp=linux, landlock=linux, is_trial=True))
+    return replace(found, missing=(*found.missing, seen))
 
 
 def _tried(candidate: Level) -> Level:
