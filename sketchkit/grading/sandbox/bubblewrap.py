@@ -196,6 +196,7 @@ def _system(users: int) -> Iterator[str]:
             yield from ("--symlink", str(place.readlink()), str(place))
         else:
             yield from ("--ro-bind-try", str(place), str(place))
+    yield from ("--perms", "0755", "--dir", "/etc")
     for name in SETTINGS:
         yield from ("--ro-bind-try", f"/etc/{name}", f"/etc/{name}")
     yield from ("--perms", "0644", "--file", str(users), "/etc/passwd")

@@ -145,7 +145,7 @@ class Ending:
 
 def _signal_in_words(number: int) -> str:
     meanings = {
-        "SIGSEGV": "it touched memory that is not its own (SIGSEGV)",
+        "SIGSEGV": "it touched memory that is not its own, or gave up (SIGSEGV)",
         "SIGABRT": "it gave up (SIGABRT)",
         "SIGKILL": "it was killed (SIGKILL)",
         "SIGSYS": "it asked the system for something forbidden (SIGSYS)",

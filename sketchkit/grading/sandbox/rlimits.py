@@ -38,10 +38,8 @@ def impose(limits: Limits, *, is_walled: bool) -> list[str]:
 
     missing = []
     for name, value in settings(limits, is_walled=is_walled).items():
-        # A second more before the kernel kills: the first signal may be handled, or ignored.
-        hard = value + 1 if name == "RLIMIT_CPU" else value
         try:
-            resource.setrlimit(getattr(resource, name), (value, hard))
+            resource.setrlimit(getattr(resource, name), (value, value))
         except (AttributeError, ValueError, OSError):
             missing.append(name)
     return missing
