@@ -1,0 +1,177 @@
+"""What of a difference no renderer can be blamed for.
+
+Two renderers, or drivers, draw the same edge with other mixtures of the two colours beside it, move
+it by less than a pixel, and round colours otherwise. So each pixel is matched with the best that
+can be mixed of the other picture's pixels around it, both ways: a line that one picture has and
+the other has not is found from the one that has it. What is left is the *residue*.
+
+That alone would let a picture pass that has moved by a pixel as a whole, with all of its text and
+lines. Renderers do not do so: their edges move one way here and the other way there. So a whole
+picture's movement is measured first, and if there is one, nothing is forgiven but rounding. One
+object among others that is a pixel off does pass: drivers round a corner that lies between two
+pixels either way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketchkit.grading.images.shifts import shifted
+
+U8 = NDArray[np.uint8]
+I16 = NDArray[np.int16]
+
+RADIUS = 1  # px: how far around a match is looked for
+ROUNDING = 2  # of 255: by so much colours of lights and of mixtures differ between renderers
+# What lies by less than a quarter of the contrast around outside of a mixture is one too: edges are
+# made of four samples, and another renderer may have one more of them inside.
+MIXTURE_SHARE = 4
+# Lines of one pixel are no mixture of anything: where one renderer has a black pixel, another has
+# two grey ones. So what has kept its mean is matched too, within an eighth of the contrast.
+MEAN_SHARE = 8
+STRIP = 256  # rows at once: memory is bounded
+
+STEPS = (-1.0, -0.5, 0.0, 0.5, 1.0)  # px: movements of a whole picture that are tried
+# A movement is believed when it explains this much of the difference. Measured: a pixel leaves a
+# third at most, half a pixel (which the mean of two imitates) two thirds; pictures with their
+# samples elsewhere, or without smoothing, are never better explained by a movement than without.
+LEFT_BY_MOVEMENT = 0.75
+ENOUGH_ROWS = 512
+
+
+def residue(submitted: U8, expected: U8) -> U8:
+    """Return by how much each pixel differs from its best match, channel by channel.
+
+    Parameters
+    ----------
+    submitted, expected : (h, w, 3) uint8, of one size
+
+    Returns
+    -------
+    (h, w, 3) uint8
+    """
+    remaining = np.zeros_like(expected)
+    for rows, around, inside in _strips(len(expected)):
+        one, other = submitted[around], expected[around]
+        if np.array_equal(one, other):
+            continue
+        remaining[rows] = _unmatched(one, other)[inside]
+    return remaining
+
+
+def difference(submitted: U8, expected: U8) -> U8:
+    """Return by how much each pixel differs, channel by channel, rounding aside: (h, w, 3)."""
+    remaining = np.maximum(submitted, expected) - np.minimum(submitted, expected)
+    remaining[remaining <= ROUNDING] = 0
+    return remaining
+
+
+def left_over(submitted: U8, expected: U8) -> U8:
+    """Return what counts: the residue, or of a picture that has moved as a whole the difference."""
+    remaining = residue(submitted, expected)
+    if movement(submitted, expected) == (0.0, 0.0):
+        return remaining
+    return difference(submitted, expected)
+
+
+def without_match(submitted: U8, expected: U8, remaining: U8) -> U8:
+    """Return the submitted picture with nothing in it that has a match: only the residue differs."""
+    is_brighter = submitted > expected
+    return np.where(is_brighter, expected + remaining, expected - remaining)
+
+
+def movement(submitted: U8, expected: U8) -> tuple[float, float]:
+    """Return how far a picture has moved as a whole, right and down, in pixels.
+
+    Returns
+    -------
+    tuple of two of -1, -0.5, 0, 0.5, 1
+    """
+    one, other = _brightness(submitted), _brightness(expected)
+    if min(one.shape) < 8:  # too small to tell
+        return 0.0, 0.0
+    errors = {
+        (right, down): _error(one, shifted(other, right, down))
+        for right, down in product(STEPS, STEPS)
+    }
+    best = min(errors, key=errors.__getitem__)
+    return best if errors[best] <= LEFT_BY_MOVEMENT * errors[0.0, 0.0] else (0.0, 0.0)
+
+
+def _error(one: I16, moved: I16) -> float:
+    """Return how much two planes differ, but for the border, on enough of their rows."""
+    stride = -(-len(one) // ENOUGH_ROWS)
+    inside = np.s_[1 : -1 : stride, 1:-1]
+    return float(np.abs(one[inside] - moved[inside]).mean(dtype=np.float64))
+
+
+def _brightness(picture: U8) -> I16:
+    total: I16 = picture.sum(axis=2, dtype=np.int16)
+    return total
+
+
+def _unmatched(one: U8, other: U8) -> U8:
+    """Return by how much pixels of two pictures differ from their best match in the other."""
+    low_one, high_one = _extremes(one)
+    low_other, high_other = _extremes(other)
+    contrast = np.maximum(high_one - low_one, high_other - low_other)
+    unmixed = np.maximum(_outside(one, low_other, high_other), _outside(other, low_one, high_one))
+    means = np.abs(_sums(one) - _sums(other)) // 9
+    return np.minimum(
+        _beyond(unmixed, contrast // MIXTURE_SHARE + ROUNDING),
+        _beyond(means, contrast // MEAN_SHARE + ROUNDING),
+    ).astype(np.uint8)
+
+
+def _beyond(distance: NDArray[np.integer], allowance: U8) -> NDArray[np.integer]:
+    return np.where(distance > allowance, distance - allowance, 0)
+
+
+def _outside(picture: U8, low: U8, high: U8) -> U8:
+    """Return how far each pixel is from a range; below and above are never both."""
+    return (np.maximum(picture, high) - high) + (low - np.minimum(picture, low))
+
+
+def _extremes(picture: U8) -> tuple[U8, U8]:
+    """Return the least and the greatest of each pixel and those around it."""
+    low = high = picture
+    for axis in (0, 1):
+        low, high = _around(np.minimum, low, axis), _around(np.maximum, high, axis)
+    return low, high
+
+
+def _sums(picture: U8) -> I16:
+    """Return the sum of each pixel and the eight around it; the border is repeated."""
+    padded = np.pad(picture.astype(np.int16), ((1, 1), (1, 1), (0, 0)), mode="edge")
+    rows = padded[:-2] + padded[1:-1] + padded[2:]
+    sums: I16 = rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]
+    return sums
+
+
+def _around(extreme: np.ufunc, picture: U8, axis: int) -> U8:
+    """Return the least, or the greatest, of each pixel and those within the radius on an axis."""
+    result = picture.copy()
+    length = picture.shape[axis]
+    for step in range(1, RADIUS + 1):
+        before, after = [slice(None)] * 3, [slice(None)] * 3
+        before[axis], after[axis] = slice(0, length - step), slice(step, length)
+        first, second = tuple(before), tuple(after)
+        result[first] = extreme(result[first], picture[second])
+        result[second] = extreme(result[second], picture[first])
+    return result
+
+
+def _strips(height: int) -> Iterator[tuple[slice, slice, slice]]:
+    """Yield rows, these and as much around them as a match reaches, and where they lie in that."""
+    for top in range(0, height, STRIP):
+        first = max(top - RADIUS, 0)
+        bottom = min(top + STRIP, height)
+        yield (
+            slice(top, bottom),
+            slice(first, bottom + RADIUS),
+            slice(top - first, bottom - first),
+        )
