@@ -19,10 +19,11 @@ ALL_OR_NOTHING = "all or nothing"
 
 
 class Measure(Enum):
-    """What a curve of marks is a curve over."""
+    """What a curve of marks is a curve over; the values are what 1 stands for, in words."""
 
-    DISTANCE = "distance"  # in units of the tolerance
-    SHARE = "share"  # of what is right
+    DISTANCE = "the tolerance"
+    EXCESS = "the limit"
+    SHARE = "what is right"
 
 
 @dataclass(frozen=True)
@@ -54,29 +55,33 @@ class MarkCurve:
         return self.points[-1][1]
 
 
-def falling_to(none_at: float) -> MarkCurve:
+def falling_to(none_at: float, measure: Measure = Measure.DISTANCE) -> MarkCurve:
     """Return the curve that gives all marks within the tolerance, and none from a multiple on."""
-    words = f"all within the tolerance, none from {none_at:g} times it on, and evenly between"
+    words = f"all within {measure.value}, none from {none_at:g} times it on, and evenly between"
     return MarkCurve(((1.0, 1.0), (none_at, 0.0)), words)
 
 
-STEP = MarkCurve(((1.0, 1.0), (1.0, 0.0)), "all within the tolerance, and none beyond it")
+def step(measure: Measure = Measure.DISTANCE) -> MarkCurve:
+    """Return the curve that gives all marks within the tolerance, and none beyond it."""
+    return MarkCurve(((1.0, 1.0), (1.0, 0.0)), f"all within {measure.value}, none beyond it")
+
+
 BY_SHARE = MarkCurve(((0.0, 1.0), (1.0, 0.0)), "in proportion to what is right")
 WHOLE = MarkCurve(((0.0, 1.0), (0.0, 0.0)), "all if everything is right, and none otherwise")
 
 
 def read_curve(table: Table, measure: Measure, none_at: float = 4.0) -> MarkCurve:
     """Return the curve that a check states with `curve` or `none_at`."""
-    is_distance = measure is Measure.DISTANCE
-    if is_distance and "none_at" in table:
+    is_share = measure is Measure.SHARE
+    if not is_share and "none_at" in table:
         if "curve" in table:
             raise table.error("none_at and curve say the same: write one of them.", "none_at")
-        return falling_to(table.number("none_at", none_at, above=1))
+        return falling_to(table.number("none_at", none_at, above=1), measure)
     match table.value("curve"):
         case None:
-            return falling_to(none_at) if is_distance else BY_SHARE
+            return BY_SHARE if is_share else falling_to(none_at, measure)
         case str(name) if name == ALL_OR_NOTHING:
-            return STEP if is_distance else WHOLE
+            return WHOLE if is_share else step(measure)
         case list(points):
             return _drawn_curve(table, points, measure)
         case _:
@@ -91,11 +96,13 @@ def _drawn_curve(table: Table, points: Sequence[object], measure: Measure) -> Ma
         raise table.error("curve has two points at least.", "curve", _example(measure))
     if any(nearer[0] > farther[0] for nearer, farther in pairwise(pairs)):
         raise table.error("The first numbers of curve's points rise.", "curve", _example(measure))
-    directed = pairs if measure is Measure.DISTANCE else _from_shares(pairs)
+    directed = _from_shares(pairs) if measure is Measure.SHARE else pairs
     if any(nearer[1] < farther[1] for nearer, farther in pairwise(directed)):
         raise table.error(
             "A curve gives no more marks for what is worse.", "curve", _example(measure)
         )
+    if directed[0][1] != 1:
+        raise table.error("A curve gives all marks, 1, for the best.", "curve", _example(measure))
     return MarkCurve(directed, _described(pairs, measure))
 
 
@@ -116,18 +123,17 @@ def _from_shares(pairs: Sequence[tuple[float, float]]) -> tuple[tuple[float, flo
 
 
 def _described(pairs: Sequence[tuple[float, float]], measure: Measure) -> str:
-    places = "{:g} times the tolerance" if measure is Measure.DISTANCE else "{:.0%} right"
-    stops = (f"{share:.0%} at {_place(places, place, measure)}" for place, share in pairs)
+    stops = (f"{share:.0%} at {_place(place, measure)}" for place, share in pairs)
     return f"{', '.join(stops)}, and evenly between"
 
 
-def _place(form: str, place: float, measure: Measure) -> str:
-    if measure is Measure.DISTANCE and place == 1:
-        return "the tolerance"
-    return form.format(place)
+def _place(place: float, measure: Measure) -> str:
+    if measure is Measure.SHARE:
+        return f"{place:.0%} right"
+    return measure.value if place == 1 else f"{place:g} times {measure.value}"
 
 
 def _example(measure: Measure) -> str:
-    if measure is Measure.DISTANCE:
-        return "Write curve = [[1, 1.0], [2, 0.5], [4, 0]]: twice the tolerance, half the marks."
-    return "Write curve = [[0.5, 0], [0.9, 1.0]]: half of it right, no marks; 90 % right, all."
+    if measure is Measure.SHARE:
+        return "Write curve = [[0.5, 0], [0.9, 1.0]]: half of it right, no marks; 90 % right, all."
+    return f"Write curve = [[1, 1.0], [2, 0.5], [4, 0]]: twice {measure.value}, half the marks."

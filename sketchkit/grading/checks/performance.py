@@ -57,7 +57,7 @@ def read(table: Table, _: Check) -> PerformanceRule:
             "time" if time_s else None,
             'Write draw_calls = "<= 20".',
         )
-    return PerformanceRule(limits, time_s, read_curve(table, Measure.DISTANCE, NONE_AT))
+    return PerformanceRule(limits, time_s, read_curve(table, Measure.EXCESS, NONE_AT))
 
 
 def needs(check: Check, _: PerformanceRule) -> tuple[Run, ...]:
