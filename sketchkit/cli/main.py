@@ -22,6 +22,7 @@ COMMANDS = {
     "render": Entry("sketchkit.cli.render", "Write pictures of a sketch's frames."),
     "new": Entry("sketchkit.cli.new", "Make a folder for a new sketch."),
     "doctor": Entry("sketchkit.cli.doctor", "Say what works on this computer."),
+    "grade": Entry("sketchkit.cli.grade", "Judge a class's sketches."),
     "trace": Entry("sketchkit.cli.trace", "Print what a frame draws, as text."),
 }
 

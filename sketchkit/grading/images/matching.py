@@ -105,7 +105,7 @@ def movement(submitted: U8, expected: U8) -> tuple[float, float]:
 def _error(one: I16, moved: I16) -> float:
     """Return how much two planes differ, but for the border, on enough of their rows."""
     stride = -(-len(one) // ENOUGH_ROWS)
-    inside = np.s_[1 : -1 : stride, 1:-1]
+    inside = np.s_[1:-1:stride, 1:-1]
     return float(np.abs(one[inside] - moved[inside]).mean(dtype=np.float64))
 
 

@@ -144,7 +144,9 @@ def _brightnesses(before: F64, after: F64) -> Iterator[Transformation]:
             yield _brightness(f"every colour times {factor:.2f}", factor, 0)
     added = round(float(np.median(after - before)))
     if added:
-        what = f"{added} added to every colour" if added > 0 else f"{-added} taken from every colour"
+        what = (
+            f"{added} added to every colour" if added > 0 else f"{-added} taken from every colour"
+        )
         yield _brightness(what, 1, added)
     if len(before) >= 4:
         factor, added = np.polyfit(before, after, 1)

@@ -46,7 +46,9 @@ def place(box: Box, width: int, height: int) -> str:
     left, top, box_width, box_height = box
     across = _third((left + box_width / 2) / width, ("left", "", "right"))
     down = _third((top + box_height / 2) / height, ("top", "", "bottom"))
-    return f"at the {across} {down}".replace("  ", " ").rstrip() if across or down else "in the middle"
+    return (
+        f"at the {across} {down}".replace("  ", " ").rstrip() if across or down else "in the middle"
+    )
 
 
 def direction(right: float, down: float) -> str:

@@ -1,0 +1,1 @@
+"""A class, submission by submission: what is run, kept, taken up again, and by whom."""
