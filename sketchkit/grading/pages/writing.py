@@ -37,10 +37,9 @@ class Parts:
     pictures: str = "'self' file: data:"
 
 
-_REPORT_STYLES = ("style.css", "report.css")
 PARTS = {
-    "student.html.j2": Parts(_REPORT_STYLES, pictures="data:"),
-    "class.html.j2": Parts(_REPORT_STYLES, ("class.js",), pictures="data:"),
+    "student.html.j2": Parts(("style.css", "report.css", "student.css"), pictures="data:"),
+    "class.html.j2": Parts(("style.css", "report.css", "class.css"), ("class.js",), "data:"),
 }
 
 
