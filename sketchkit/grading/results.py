@@ -1,6 +1,7 @@
 """What grading finds out, as plain data: reports are written from it, and `--resume` reads it back.
 
-Everything here can be written as JSON and read again; `to_json` and `from_json` do both.
+Everything here can be written as JSON and read again; `to_json` and `from_json` do both. No times
+are among it: a batch that is taken up again gives the results of one that was not disturbed.
 """
 
 from __future__ import annotations
@@ -126,8 +127,6 @@ class StudentResult:
         What sketchkit told its author.
     is_deterministic : bool or None
         Whether two runs drew the same; None if that was not tried.
-    seconds : float
-        Processor time of its runs.
     thumbnail : Path or None
         A picture of it, relative to the folder of results.
     sandbox : str
@@ -142,7 +141,6 @@ class StudentResult:
     console: str = ""
     remarks: tuple[str, ...] = ()
     is_deterministic: bool | None = None
-    seconds: float = 0.0
     thumbnail: Path | None = None
     sandbox: str = ""
 

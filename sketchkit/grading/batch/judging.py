@@ -77,7 +77,6 @@ def judge_submission(task: Task) -> StudentResult:
             dict.fromkeys(text for run in evidence.runs.values() for text in run.remarks)
         ),
         is_deterministic=_is_deterministic(evidence.runs.values()),
-        seconds=round(sum(run.seconds for run in evidence.runs.values()), 2),
         thumbnail=_thumbnail(evidence, setting.workplace),
         sandbox=setting.level.in_words,
     )

@@ -7,7 +7,6 @@ Markdown or colours.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 from sketchkit.grading.reports.figures import is_deterministic_in_words, is_full, plain
@@ -23,7 +22,6 @@ def gradescope(student: StudentResult, record: Mapping[str, str]) -> dict[str, o
     """
     return {
         "score": round(student.points, 4),
-        "execution_time": math.ceil(student.seconds),
         "output": visible("\n\n".join(_paragraphs(student))),
         "output_format": "text",
         "test_output_format": "text",

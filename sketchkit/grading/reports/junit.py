@@ -52,7 +52,7 @@ def _add_suite(root: Element, number: int, student: StudentResult, result: Class
         failures=str(len(lost)),
         errors=str(int(not is_graded)),
         skipped=str(0 if has_marks(student) else len(student.checks)),
-        time=f"{student.seconds:.3f}",
+        time="0",
     )
     _add_properties(suite, student, result)
     if not is_graded:

@@ -44,7 +44,6 @@ class Row:
     status: str
     is_graded: bool
     deterministic: str
-    seconds: str
     thumbnail: str
     remarks: tuple[str, ...]
 
@@ -86,7 +85,6 @@ def _row(placed: Placed, names: tuple[str, ...], folder: Path, link: Path) -> Ro
         status=student.status.value,
         is_graded=student.status is Status.GRADED,
         deterministic=is_deterministic_in_words(student),
-        seconds=f"{student.seconds:.1f}",
         thumbnail=thumbnail_uri(folder, student.thumbnail),
         remarks=placed.remarks,
     )

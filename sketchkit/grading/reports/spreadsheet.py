@@ -44,7 +44,7 @@ def rows(result: ClassResult) -> list[list[Cell]]:
     head: list[Cell] = [
         *("name", "folder", "status", "marks", "out of"),
         *(f"check: {name}" for name in names),
-        *("deterministic", "seconds", "sandbox", "explanation"),
+        *("deterministic", "sandbox", "explanation"),
     ]
     return [head, *(_row(student, names) for student in result.students)]
 
@@ -66,8 +66,7 @@ def _row(student: StudentResult, names: tuple[str, ...]) -> list[Cell]:
         *(student.name, student.slug, student.status.value),
         *((_number(student.points), _number(student.out_of)) if is_known else ("", "")),
         *(_number(check.points) if check and is_known else "" for check in checks),
-        *(is_deterministic_in_words(student), _number(student.seconds)),
-        *(student.sandbox, student.explanation),
+        *(is_deterministic_in_words(student), student.sandbox, student.explanation),
     ]
 
 

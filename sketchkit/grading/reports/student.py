@@ -65,7 +65,6 @@ def student_values(
             **record,
             "sandbox": student.sandbox or record.get("sandbox", "") or "not known",
             "draws the same in every run": is_deterministic_in_words(student),
-            "processor time": f"{student.seconds:.1f} s",
         },
     }
 

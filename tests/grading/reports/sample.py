@@ -97,7 +97,7 @@ def hostile_student(text: str, slug: str = "hostile") -> StudentResult:
     curve = Curve(text, (1, 2, 3), (0.0, math.nan, 9.0), (0.0,) * 3, (1.0,) * 3)
     check = CheckResult(text, text, 0.5, 1.0, 2.0, (text, text), (comparison,), (curve,))
     return StudentResult(
-        text, slug, Status.STOPPED, text, (check,), text, (text,), False, 1.25, None, text
+        text, slug, Status.STOPPED, text, (check,), text, (text,), False, None, text
     )
 
 
@@ -143,7 +143,6 @@ def _graded(folder: Path, name: str, look: Look, number: int) -> StudentResult:
         console="frame 1: x = 40\nframe 2: x = 44\n" if number % 2 else "",
         remarks=("smooth() was called after something had been drawn.",) if number == 4 else (),
         is_deterministic=True,
-        seconds=0.8 + number / 10,
         thumbnail=pairs[-1].submitted,
         sandbox=SANDBOX,
     )
