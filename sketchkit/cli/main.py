@@ -24,7 +24,10 @@ COMMANDS = {
     "doctor": Entry("sketchkit.cli.doctor", "Say what works on this computer."),
     "grade": Entry("sketchkit.cli.grade", "Judge a class's sketches."),
     "trace": Entry("sketchkit.cli.trace", "Print what a frame draws, as text."),
+    "diff": Entry("sketchkit.cli.diff", "Say whether two pictures are alike, and why not."),
 }
+
+EXTRAS = {"scipy": "grade"}  # packages that commands need, and what installs them
 
 FIRST_STEPS = """\
 sketchkit draws with Python, as Processing does. A first sketch, spinning.py:
@@ -56,7 +59,16 @@ class LazyGroup(click.Group):
         """Return a command, from its file."""
         if cmd_name not in COMMANDS:
             return None
-        command: click.Command = importlib.import_module(COMMANDS[cmd_name].module).command
+        try:
+            command: click.Command = importlib.import_module(COMMANDS[cmd_name].module).command
+        except ModuleNotFoundError as missing:
+            if missing.name is None or missing.name.partition(".")[0] not in EXTRAS:
+                raise
+            extra = EXTRAS[missing.name.partition(".")[0]]
+            raise click.UsageError(
+                f"sketchkit {cmd_name} needs a package that is not installed, {missing.name}. "
+                f'Write pip install "sketchkit[{extra}]".'
+            ) from None
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -24,7 +25,9 @@ from sketchkit.grading.images.words import direction, percent
 
 U8 = NDArray[np.uint8]
 
-LEFT_AT_MOST = 0.2  # of the difference: more than that, and it is no explanation
+# Of the difference, and of the pixels that differ: more than that, and it is no explanation.
+LEFT_AT_MOST = 0.2
+DIFFERING_AT_MOST = 0.3
 WORTH_A_TRY = 0.6  # of the difference of small versions, which are looked at first
 SMALL = 96  # px
 ABOUT_EQUAL = 0.02  # of the difference: then what is simpler is meant
@@ -71,11 +74,18 @@ def explain(
     best: tuple[Trial, Amount] | None = None
     for trial in _trials(submitted, expected, found, alternatives, name):
         after = amount(left_over(submitted, np.ascontiguousarray(trial.picture())))
-        if after.weight > LEFT_AT_MOST * before.weight or after.agreement <= before.agreement:
+        if not _explains(before, after):
             continue
         if best is None or after.weight < best[1].weight - ABOUT_EQUAL * before.weight:
             best = trial, after
     return _said(best[0], before, best[1]) if best else None
+
+
+def _explains(before: Amount, after: Amount) -> bool:
+    return (
+        after.weight <= LEFT_AT_MOST * before.weight
+        and 1 - after.agreement <= DIFFERING_AT_MOST * (1 - before.agreement)
+    )
 
 
 def is_flat(picture: U8) -> bool:
@@ -106,7 +116,7 @@ def _likely_transformations(submitted: U8, expected: U8) -> Iterator[Trial]:
     for candidate in candidates(submitted, expected):
         if _distance(small, candidate.change(small_expected)) <= limit:
             name, opening, ending, change = candidate
-            yield Trial(name, opening, ending, lambda change=change: change(expected))
+            yield Trial(name, opening, ending, partial(change, expected))
 
 
 def _alternative(key: str, picture: U8, name: str) -> Trial:
@@ -141,7 +151,8 @@ def _said(trial: Trial, before: Amount, after: Amount) -> Explanation:
 def _shrunk(picture: U8) -> U8:
     height, width, _ = picture.shape
     size = min(width, SMALL), min(height, SMALL)
-    return np.asarray(Image.fromarray(picture).resize(size, Image.Resampling.BOX))
+    # Not BOX, which is one-sided where the scale is no whole number: mirror images would differ.
+    return np.asarray(Image.fromarray(picture).resize(size, Image.Resampling.BILINEAR))
 
 
 def _distance(one: U8, other: U8) -> float:

@@ -93,7 +93,8 @@ def _opponent(picture: U8) -> F32:
     """Return light (Y, 0..116), red-green and blue-yellow, (3, h, w)."""
     linear = _LINEAR[picture.transpose(2, 0, 1).reshape(3, -1)]
     planes = TO_OPPONENT.astype(np.float32) @ linear
-    return planes.reshape(3, *picture.shape[:2])
+    opponent: F32 = planes.reshape(3, *picture.shape[:2])
+    return opponent
 
 
 def _seen(opponent: F32) -> F32:
@@ -151,7 +152,8 @@ def _feature_errors(one: F32, other: F32) -> F32:
     largest = np.maximum(np.abs(edges_one - edges_other), np.abs(points_one - points_other))
     # Light is divided here instead of before the filters, which are linear.
     scaled = largest * np.float32(1 / (116 * math.sqrt(2)))
-    return np.minimum(scaled**FEATURE_EXPONENT, 1)
+    errors: F32 = np.minimum(scaled**FEATURE_EXPONENT, 1)
+    return errors
 
 
 def _features(light: F32) -> tuple[F32, F32]:
@@ -191,7 +193,7 @@ def _kernels() -> _Kernels:
     radius = math.ceil(3 * math.sqrt(widest / (2 * math.pi**2)) * PIXELS_PER_DEGREE)
     deviation = FEATURE_WIDTH * PIXELS_PER_DEGREE / 2
     feature_radius = math.ceil(3 * deviation)
-    place = np.arange(-feature_radius, feature_radius + 1)
+    place = np.arange(-feature_radius, feature_radius + 1, dtype=np.float64)
     bell = np.exp(-(place**2) / (2 * deviation**2))
     return _Kernels(
         blurs=tuple(_blur(parts, radius) for parts in (ACHROMATIC, RED_GREEN, BLUE_YELLOW)),
@@ -218,13 +220,15 @@ def _blur(parts: tuple[tuple[float, float], ...], radius: int) -> tuple[F64, ...
 
 def _trimmed(kernel: F64) -> F64:
     counts = np.flatnonzero(kernel > 1e-7 * kernel.max())
-    return kernel[counts[0] : counts[-1] + 1]
+    trimmed: F64 = kernel[counts[0] : counts[-1] + 1]
+    return trimmed
 
 
 def _balanced(kernel: F64) -> F64:
     """Return a kernel whose positive numbers have the sum 1, and its negative ones -1."""
     positive, negative = np.maximum(kernel, 0), np.minimum(kernel, 0)
-    return positive / positive.sum() - negative / negative.sum()
+    balanced: F64 = positive / positive.sum() - negative / negative.sum()
+    return balanced
 
 
 def _linear() -> F32:

@@ -24,7 +24,8 @@ RAMP = (  # the page's style has the same
 
 def heat_map(errors: F32) -> U8:
     """Return a picture, (h, w, 3), of differences, (h, w) of 0..1."""
-    return _COLORS[(errors * 255 + 0.5).astype(np.uint8)]
+    colors: U8 = _COLORS[(errors * 255 + 0.5).astype(np.uint8)]
+    return colors
 
 
 def flat_heat(height: int, width: int, error: float) -> U8:
@@ -35,7 +36,8 @@ def flat_heat(height: int, width: int, error: float) -> U8:
 def _colors() -> U8:
     places = np.linspace(0, 255, len(RAMP))
     channels = [np.interp(np.arange(256), places, values) for values in np.transpose(RAMP)]
-    return np.rint(np.transpose(channels)).astype(np.uint8)
+    colors: U8 = np.rint(np.transpose(channels)).astype(np.uint8)
+    return colors
 
 
 _COLORS = _colors()

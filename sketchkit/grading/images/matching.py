@@ -14,13 +14,12 @@ pixels either way.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
-
-from sketchkit.grading.images.shifts import shifted
 
 U8 = NDArray[np.uint8]
 I16 = NDArray[np.int16]
@@ -40,7 +39,7 @@ STEPS = (-1.0, -0.5, 0.0, 0.5, 1.0)  # px: movements of a whole picture that are
 # third at most, half a pixel (which the mean of two imitates) two thirds; pictures with their
 # samples elsewhere, or without smoothing, are never better explained by a movement than without.
 LEFT_BY_MOVEMENT = 0.75
-ENOUGH_ROWS = 512
+ENOUGH_PIXELS = 200_000
 
 
 def residue(submitted: U8, expected: U8) -> U8:
@@ -79,7 +78,7 @@ def left_over(submitted: U8, expected: U8) -> U8:
 
 
 def without_match(submitted: U8, expected: U8, remaining: U8) -> U8:
-    """Return the submitted picture with nothing in it that has a match: only the residue differs."""
+    """Return the submitted picture with what has a match taken out: the residue is left."""
     is_brighter = submitted > expected
     return np.where(is_brighter, expected + remaining, expected - remaining)
 
@@ -91,22 +90,36 @@ def movement(submitted: U8, expected: U8) -> tuple[float, float]:
     -------
     tuple of two of -1, -0.5, 0, 0.5, 1
     """
-    one, other = _brightness(submitted), _brightness(expected)
-    if min(one.shape) < 8:  # too small to tell
+    height, width, _ = expected.shape
+    if min(height, width) < 8:  # too small to tell
         return 0.0, 0.0
+    stride = -(-height * width // ENOUGH_PIXELS)
+    one, *others = (
+        _brightness(picture[1 + row : height - 1 + row : stride])
+        for picture, row in ((submitted, 0), (expected, -1), (expected, 0), (expected, 1))
+    )
     errors = {
-        (right, down): _error(one, shifted(other, right, down))
-        for right, down in product(STEPS, STEPS)
+        (right, down): _error(one, others, right, down) for right, down in product(STEPS, STEPS)
     }
     best = min(errors, key=errors.__getitem__)
-    return best if errors[best] <= LEFT_BY_MOVEMENT * errors[0.0, 0.0] else (0.0, 0.0)
+    is_better = errors[best] < LEFT_BY_MOVEMENT * errors[0.0, 0.0]
+    return best if is_better else (0.0, 0.0)
 
 
-def _error(one: I16, moved: I16) -> float:
-    """Return how much two planes differ, but for the border, on enough of their rows."""
-    stride = -(-len(one) // ENOUGH_ROWS)
-    inside = np.s_[1:-1:stride, 1:-1]
-    return float(np.abs(one[inside] - moved[inside]).mean(dtype=np.float64))
+def _error(one: I16, others: list[I16], right: float, down: float) -> float:
+    """Return how much rows differ from others that have moved.
+
+    `others` are the rows above, the same, and those below. Half a pixel is the mean of two.
+    """
+    width = one.shape[1]
+    moved = [others[1 - y][:, 1 - x : width - 1 - x] for y in _whole(down) for x in _whole(right)]
+    mean = moved[0] if len(moved) == 1 else sum(moved) / np.float32(len(moved))
+    return float(np.abs(one[:, 1:-1] - mean).mean(dtype=np.float64))
+
+
+def _whole(step: float) -> set[int]:
+    """Return the whole numbers that a multiple of a half lies between, or is."""
+    return {math.floor(step), math.ceil(step)}
 
 
 def _brightness(picture: U8) -> I16:
@@ -121,10 +134,11 @@ def _unmatched(one: U8, other: U8) -> U8:
     contrast = np.maximum(high_one - low_one, high_other - low_other)
     unmixed = np.maximum(_outside(one, low_other, high_other), _outside(other, low_one, high_one))
     means = np.abs(_sums(one) - _sums(other)) // 9
-    return np.minimum(
+    unmatched: U8 = np.minimum(
         _beyond(unmixed, contrast // MIXTURE_SHARE + ROUNDING),
         _beyond(means, contrast // MEAN_SHARE + ROUNDING),
     ).astype(np.uint8)
+    return unmatched
 
 
 def _beyond(distance: NDArray[np.integer], allowance: U8) -> NDArray[np.integer]:

@@ -42,7 +42,7 @@ class Measure(NamedTuple):
 
 
 class Amount(NamedTuple):
-    """A difference in short: `weight` is its mean, 0..255, `agreement` the share of equal pixels."""
+    """A difference in short: `weight` is its mean, 0..255; `agreement` a share of the pixels."""
 
     weight: float
     agreement: float

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from itertools import product
-from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from sketchkit.grading.images.words import Box
 
 U8 = NDArray[np.uint8]
+I16 = NDArray[np.int16]
 F32 = NDArray[np.float32]
-Value = TypeVar("Value", np.uint8, np.int16, np.float32)
 
 FARTHEST = 8  # px
-WINDOW = 384  # px: enough of the picture to see how it has moved
+WINDOW = 256  # px: enough of the picture to see how it has moved
 HALVES = (-0.5, 0.0, 0.5)
 
 
@@ -33,50 +33,69 @@ def shift(submitted: U8, expected: U8, box: Box) -> tuple[float, float]:
     tuple of two multiples of 0.5
     """
     one, other = (_window(picture, box) for picture in (submitted, expected))
-    most = min(FARTHEST, (min(one.shape) - 2) // 3)
-    if most < 1:
+    most = min(FARTHEST, (min(one.shape) - 1) // 3)
+    if most < 1:  # too small to tell
         return 0.0, 0.0
     whole = range(-most, most + 1)
-    coarse = _best(one, other, [(float(x), float(y)) for x, y in product(whole, whole)])
+    coarse = _best(one, other, [(float(x), float(y)) for x, y in product(whole, whole)], most)
     fine = [(coarse[0] + x, coarse[1] + y) for x, y in product(HALVES, HALVES)]
-    return _best(one, other, [(x, y) for x, y in fine if max(abs(x), abs(y)) <= most])
+    return _best(one, other, [(x, y) for x, y in fine if max(abs(x), abs(y)) <= most], most)
 
 
-def shifted(picture: NDArray[Value], right: float, down: float) -> NDArray[Value]:
+def shifted(picture: U8, right: float, down: float) -> U8:
     """Return a picture moved; the border is repeated where nothing came from.
 
     Half a pixel is the mean of two.
     """
     for axis, step in ((1, right), (0, down)):
-        if step == 0:
-            continue
         length = picture.shape[axis]
         first, second = (
-            picture.take(np.clip(np.arange(length) - int(whole), 0, length - 1), axis)
-            for whole in (np.floor(step), np.ceil(step))
+            picture.take(np.clip(np.arange(length) - whole, 0, length - 1), axis)
+            for whole in (math.floor(step), math.ceil(step))
         )
-        if step % 1:
-            first = ((first.astype(np.float32) + second) / 2).astype(picture.dtype)
-        picture = first
+        picture = _mean(first, second) if step % 1 else first
     return picture
 
 
-def _best(one: F32, other: F32, steps: list[tuple[float, float]]) -> tuple[float, float]:
+def _mean(one: U8, other: U8) -> U8:
+    mean: U8 = ((one.astype(np.uint16) + other) // 2).astype(np.uint8)
+    return mean
+
+
+def _best(
+    one: I16, other: I16, steps: list[tuple[float, float]], margin: int
+) -> tuple[float, float]:
     """Return the movement of the least difference; of equal ones, the shortest."""
     steps = sorted(steps, key=lambda step: abs(step[0]) + abs(step[1]))
-    margin = FARTHEST if min(one.shape) > 3 * FARTHEST else (min(one.shape) - 1) // 3
-    inside = np.s_[margin : one.shape[0] - margin, margin : one.shape[1] - margin]
-    errors = [np.abs(one - shifted(other, *step))[inside].mean() for step in steps]
+    inside = one[margin:-margin, margin:-margin]
+    errors = [
+        np.abs(inside - _inside_of_moved(other, *step, margin)).mean(dtype=np.float64)
+        for step in steps
+    ]
     return steps[int(np.argmin(errors))]
 
 
-def _window(picture: U8, box: Box) -> F32:
+def _inside_of_moved(plane: I16, right: float, down: float, margin: int) -> I16 | F32:
+    """Return a plane without its margin, after a movement that is no longer than that."""
+    height, width = plane.shape
+    parts = [
+        plane[margin - y : height - margin - y, margin - x : width - margin - x]
+        for y in {math.floor(down), math.ceil(down)}
+        for x in {math.floor(right), math.ceil(right)}
+    ]
+    if len(parts) == 1:
+        return parts[0]
+    mean: F32 = np.mean(parts, axis=0, dtype=np.float32)
+    return mean
+
+
+def _window(picture: U8, box: Box) -> I16:
     """Return the brightness of the part around a box's middle."""
     left, top, width, height = box
     row = _start(top + height // 2, picture.shape[0])
     column = _start(left + width // 2, picture.shape[1])
     part = picture[row : row + WINDOW, column : column + WINDOW]
-    brightness: F32 = part.sum(axis=2, dtype=np.float32)
+    brightness: I16 = part.sum(axis=2, dtype=np.int16)
     return brightness
 
 

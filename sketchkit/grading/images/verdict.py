@@ -199,5 +199,5 @@ def _where(submitted: U8, expected: U8, found: Measure) -> str:
         if is_mean != expected_mean
         else "its colours are the right ones on average, but elsewhere"
     )
-    more = f" {region.others} smaller ones differ too:" if region.others else " In all,"
-    return f"{where}: {colors}.{more} {percent(differing)} of the pixels differ."
+    others = f"With {region.others} smaller ones, " if region.others > 1 else "In all, "
+    return f"{where}: {colors}. {others}{percent(differing)} of the pixels differ."

@@ -38,6 +38,7 @@ class Parts:
 
 
 PARTS = {
+    "diff.html.j2": Parts(pictures="data:"),
     "student.html.j2": Parts(("style.css", "report.css", "student.css"), pictures="data:"),
     "class.html.j2": Parts(("style.css", "report.css", "class.css"), ("class.js",), "data:"),
 }
