@@ -226,7 +226,7 @@ def _covered(place: Path) -> Iterator[str]:
 
 
 def _separated(arguments: Iterator[str]) -> bytes:
-    """Return arguments as bubblewrap reads them from a file: so they are in no list of processes."""
+    """Return arguments as bubblewrap reads them from a file: no list of processes shows them."""
     return b"".join(os.fsencode(argument) + b"\0" for argument in arguments)
 
 

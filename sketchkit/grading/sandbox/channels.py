@@ -1,4 +1,4 @@
-"""What connects a job with the grader: its output, what it prints, and the word that it is ready."""
+"""What connects a job with the grader: its output, what it prints, its word that it is ready."""
 
 from __future__ import annotations
 

@@ -15,7 +15,8 @@ from sketchkit.grading.sandbox.watch import Console, Watched, watch
 
 OUT_OF_MEMORY = ("MemoryError", "bad_alloc", "out of memory", "Cannot allocate memory")
 
-NEARLY = 0.98  # of the processor time: the kernel that ends a job counts in coarser steps
+KILLED = (9, 24)  # SIGKILL, SIGXCPU: how the kernel ends what takes too much time
+NEARLY = 0.8  # of that time: the limit is counted in coarser steps than what is told afterwards
 
 
 def run(job: Job, level: Level) -> Ending:
@@ -83,11 +84,10 @@ def _written(channels: Channels) -> int:
 
 def _ending(job: Job, watched: Watched, console: Console, written: int) -> Ending:
     text = console.text()
-    ended_by = -watched.status if watched.status < 0 else watched.status - 128
-    is_signal = 0 < ended_by < 65
+    signal = _signal(watched.status)
     return Ending(
-        code=None if is_signal else watched.status,
-        signal=ended_by if is_signal else None,
+        code=watched.status if signal is None else None,
+        signal=signal,
         exceeded=watched.exceeded or next(_exceeded(job, watched, written, text), None),
         cpu_s=watched.cpu_s,
         wall_s=watched.wall_s,
@@ -97,9 +97,16 @@ def _ending(job: Job, watched: Watched, console: Console, written: int) -> Endin
     )
 
 
+def _signal(status: int) -> int | None:
+    """Return which signal a status tells of, as Python (-9) or as bubblewrap (137) tells it."""
+    number = -status if status < 0 else status - 128
+    return number if 0 < number < 65 else None
+
+
 def _exceeded(job: Job, watched: Watched, written: int, text: str) -> Iterator[Exceeded]:
     """Yield the limits that a job ran into by itself."""
-    if watched.status != 0 and watched.cpu_s >= NEARLY * job.limits.cpu_s:
+    is_killed = _signal(watched.status) in KILLED
+    if is_killed and watched.cpu_s >= NEARLY * job.limits.cpu_s:
         yield Exceeded.CPU
     if written >= job.limits.output_mb * MEGABYTE:
         yield Exceeded.OUTPUT

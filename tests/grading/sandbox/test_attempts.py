@@ -53,7 +53,7 @@ ATTEMPTS = {
     "home": "return os.listdir('/root') + os.listdir('/home')",
     "root_folder": "return sorted(os.listdir('/'))",
     "host_users": "return [line.split(':')[0] for line in open('/etc/passwd')]",
-    "host_names": "return [os.path.exists(f'/etc/{n}') for n in ('hosts', 'resolv.conf', 'shadow')]",
+    "host_names": "return sorted({'hosts', 'resolv.conf', 'shadow'} & {*os.listdir('/etc')})",
     "host_name": "return socket.gethostname()",
     "packages_path": "return [os.access(p, os.W_OK) for p in sys.path]",
     # writing elsewhere
@@ -251,7 +251,7 @@ def test_the_root_folder_has_only_what_was_put_there(found: Any) -> None:
 
 def test_no_user_nor_name_of_this_computer_is_told(found: Any) -> None:
     assert found["host_users"] == ["root", "sketch"]
-    assert found["host_names"] == [False, False, False]
+    assert found["host_names"] == []
     assert found["host_name"] == "sketch"
 
 

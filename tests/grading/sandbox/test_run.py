@@ -309,7 +309,12 @@ ctypes.CFUNCTYPE(ctypes.c_int)(ctypes.addressof(ctypes.c_char.from_buffer(page))
 
 
 def test_deep_recursion_is_the_submissions_own_matter(attack: Attack) -> None:
-    code = "import sys\nsys.setrecursionlimit(10 ** 9)\ndef f(): return [*map(lambda _: f(), [0])]\nf()"
+    code = """
+import sys
+sys.setrecursionlimit(10 ** 9)
+def f(): return [*map(lambda _: f(), [0])]
+f()
+"""
 
     ending = attack(code, replace(SHORT, memory_mb=512)).ending
 
