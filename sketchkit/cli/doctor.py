@@ -50,6 +50,12 @@ TRIED = (
     ),
     ("cpu", "CPU renderer", "Reinstall: pip install --force-reinstall sketchkit numpy"),
     ("font", "default font", "pip install font-source-sans-pro"),
+    (
+        "sandbox",
+        "sandbox for grading",
+        "Only needed by sketchkit grade, which says what a submission could do. Linux: apt "
+        "install bubblewrap, and grade where user namespaces are allowed.",
+    ),
 )
 
 

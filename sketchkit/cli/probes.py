@@ -11,6 +11,8 @@ import sys
 from collections.abc import Callable
 
 from sketchkit.draw.backend import Backend
+from sketchkit.grading.sandbox.level import Strength
+from sketchkit.grading.sandbox.probe import probe as probe_sandbox
 from sketchkit.runtime.backends import RendererError, open_backend
 from sketchkit.runtime.window import Window, WindowError
 from sketchkit.stubs import blank_canvas
@@ -76,10 +78,18 @@ def _font() -> str:
     return f"'Hello' is {blank_canvas().textWidth('Hello'):g} pixels wide"
 
 
+def _sandbox() -> str:
+    level = probe_sandbox()
+    if level.refusal or level.strength < Strength.FULL:
+        raise ProbeError(level.refusal or level.in_words)
+    return level.in_words
+
+
 PROBES: dict[str, Callable[[], str]] = {
     "gl": _gl,
     "osmesa": _osmesa,
     "window": _window,
     "cpu": _cpu,
     "font": _font,
+    "sandbox": _sandbox,
 }

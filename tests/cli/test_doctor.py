@@ -7,5 +7,14 @@ def test_everything_is_looked_at() -> None:
     result = CliRunner().invoke(main, ["doctor"])
 
     assert result.exit_code == 0
-    for what in ("sketchkit", "numpy", "OpenGL", "OSMesa", "window", "CPU renderer", "font"):
+    for what in (
+        "sketchkit",
+        "numpy",
+        "OpenGL",
+        "OSMesa",
+        "window",
+        "CPU renderer",
+        "font",
+        "sandbox",
+    ):
         assert what in result.output

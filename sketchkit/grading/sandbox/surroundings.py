@@ -8,9 +8,11 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-import sketchkit
 from sketchkit.grading.sandbox.job import Job
 from sketchkit.grading.sandbox.plan import VARIABLE, Plan
+
+PACKAGE = Path(__file__).parents[2]  # sketchkit itself
+_SITE_NAMES = ("site-packages", "dist-packages")
 
 # The same for everyone: what a sketch draws must not depend on who grades it.
 ENVIRONMENT = {
@@ -61,10 +63,9 @@ def command(job: Job) -> list[str]:
 def python_places() -> list[Path]:
     """Return the folders that Python and sketchkit are in, beyond the system's own."""
     prefixes = (sys.base_prefix, sys.base_exec_prefix, sys.prefix, sys.exec_prefix)
-    package = Path(sketchkit.__file__).parent
-    shaders = package.parent / "shaders"  # beside the package, in a checkout
+    shaders = PACKAGE.parent / "shaders"  # beside the package, in a checkout
     wanted = [*map(Path, prefixes), *_links_to(Path(sys.executable)), *_site_folders()]
-    ours = [package, *([shaders] if shaders.is_dir() else [])]
+    ours = [PACKAGE, *([shaders] if shaders.is_dir() else [])]
     return _outermost(place.absolute() for place in (*wanted, *ours))
 
 
@@ -81,13 +82,9 @@ def _site_folders() -> list[Path]:
     return [Path(entry) for entry in sys.path if Path(entry).name in _SITE_NAMES]
 
 
-_SITE_NAMES = ("site-packages", "dist-packages")
-
-
 def _not_found_by_itself() -> list[Path]:
     """Return the folders that Python has to be told of: it does not look at the user's own."""
-    package = Path(sketchkit.__file__).parent
-    told = [] if package.parent.name in _SITE_NAMES else [package.parent]
+    told = [] if PACKAGE.parent.name in _SITE_NAMES else [PACKAGE.parent]
     users = Path(site.getusersitepackages())
     return [*told, *(entry for entry in _site_folders() if entry == users)]
 

@@ -409,24 +409,6 @@ def test_folders_can_be_hidden(walled: Level, tmp_path: Path) -> None:
     assert "PermissionError" in ending.console
 
 
-def test_the_first_folder_is_a_copy_without_links(attack: Attack, tmp_path: Path) -> None:
-    sketch = tmp_path / "hand in"
-    (sketch / "data").mkdir(parents=True)
-    (sketch / "data" / "näme.txt").write_text("x")
-    (sketch / "link").symlink_to("/etc/passwd")
-    sketch.chmod(0o755)
-    code = """
-import pathlib
-plan = inside.plan()
-home = pathlib.Path(inside.path("/sketch"))
-import sketchkit.grading.sandbox.inside as module
-module.path = lambda name: {"/submission": pathlib.Path("/given"), "/sketch": home}[name]
-module.copy_sketch()
-say(sorted(str(path.relative_to(home)) for path in home.rglob("*")))
-"""
-    assert attack(SAY + code, given=sketch).said == ["data", "data/näme.txt"]
-
-
 @pytest.mark.parametrize("backend", ["gl", "cpu"])
 def test_sketches_are_drawn_inside(attack: Attack, backend: str) -> None:
     code = f"""

@@ -53,12 +53,11 @@ def interpreted(
                 raise AssertionError(operation)
 
 
-@pytest.mark.parametrize("name", seccomp.REFUSED)
-def test_what_is_on_the_list_is_refused(judge: Judge, name: str) -> None:
-    if kernel.number(name) is None:
-        pytest.skip("this processor has no such call")
+def test_what_is_on_the_list_is_refused(judge: Judge) -> None:
+    there = [name for name in seccomp.REFUSED if kernel.number(name) is not None]
 
-    assert judge(name) == REFUSE + errno.EPERM
+    assert {name: judge(name) for name in there} == dict.fromkeys(there, REFUSE + errno.EPERM)
+    assert len(there) > 90
 
 
 @pytest.mark.parametrize("name", seccomp.ABSENT)
