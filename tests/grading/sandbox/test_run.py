@@ -336,21 +336,19 @@ def test_jobs_run_side_by_side(walled: Level, tmp_path: Path) -> None:
 
 
 def test_nothing_outlives_a_grader_that_is_killed(walled: Level, tmp_path: Path) -> None:
-    source = tmp_path / "sleeper.py"
-    source.write_text(FOREVER)
-    source.chmod(0o644)
+    output = tmp_path / "output"
     mark = f"mark-{tmp_path.name}-{time.monotonic_ns()}"
     grader = f"""
 from pathlib import Path
 from sketchkit.grading.sandbox.job import Job
 from sketchkit.grading.sandbox.probe import probe
 from sketchkit.grading.sandbox.run import run
-statement = "from sketchkit.grading.sandbox import inside; print('up', flush=True)\\n"
-statement += "import time\\nwhile True: time.sleep(9) # {mark}"
-run(Job("timeit", ("-n", "1", "-r", "1", statement)), probe())
+statement = "import os, time; os.write(3, b'up')\\nwhile True: time.sleep(9) # {mark}"
+run(Job("timeit", ("-n1", "-r1", statement), output=Path({str(output)!r})), probe())
 """
     process = subprocess.Popen([sys.executable, "-c", grader])
-    waited_for(lambda: len(running(mark)) >= 3)  # the grader, bubblewrap, and the job
+    waited_for(lambda: output.exists() and output.read_bytes() == b"up")
+    assert len(running(mark)) >= 3  # the grader, bubblewrap, and the job
 
     process.kill()
     process.wait()
