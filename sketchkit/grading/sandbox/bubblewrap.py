@@ -177,15 +177,15 @@ def _arguments(job: Job, tell: int, wait: int, users: int) -> Iterator[str]:
     for capability in CAPABILITIES:
         yield from ("--cap-add", capability)
     yield from _system(users)
+    for folder in OWN:  # first, since Python may lie below /tmp
+        size = str(job.limits.scratch_mb * MEGABYTE)
+        yield from ("--perms", "1777", "--size", size, "--tmpfs", folder)
     for place in python_places():
         yield from _shown(place.resolve(), place)
     for place in job.hidden:
         yield from _covered(place.resolve())
     for name, place in job.readable.items():
         yield from _shown(place.resolve(), Path(name))
-    for folder in OWN:
-        size = str(job.limits.scratch_mb * MEGABYTE)
-        yield from ("--perms", "1777", "--size", size, "--tmpfs", folder)
     yield from ("--remount-ro", "/", "--chdir", "/sketch")
 
 
@@ -213,6 +213,8 @@ def _shown(source: Path, place: Path) -> Iterator[str]:
     Bubblewrap would close them to others if they are closed outside, as /root is.
     """
     for folder in reversed(place.parents[:-1]):
+        if str(folder) in OWN:
+            continue
         yield from ("--perms", "0755", "--dir", str(folder))
     yield from ("--ro-bind", str(source), str(place))
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import site
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -83,10 +82,13 @@ def _site_folders() -> list[Path]:
 
 
 def _not_found_by_itself() -> list[Path]:
-    """Return the folders that Python has to be told of: it does not look at the user's own."""
+    """Return the folders that Python has to be told of: those outside of its own places."""
     told = [] if PACKAGE.parent.name in _SITE_NAMES else [PACKAGE.parent]
-    users = Path(site.getusersitepackages())
-    return [*told, *(entry for entry in _site_folders() if entry == users)]
+    own = (sys.prefix, sys.base_prefix, "/usr")
+    others = (
+        entry for entry in _site_folders() if not any(entry.is_relative_to(place) for place in own)
+    )
+    return [*told, *others]
 
 
 def _outermost(places: Iterable[Path]) -> list[Path]:

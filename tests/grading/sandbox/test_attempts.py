@@ -151,7 +151,7 @@ for name, attempt in list(globals().items()):
 os.write(inside.OUTPUT, json.dumps(found).encode())
 """
 
-EPERM, ENOENT, EACCES, EXDEV, EROFS, ENOSYS, ENOTTY = 1, 2, 13, 18, 30, 38, 25
+EPERM, ENOENT, EACCES, EXDEV, EINVAL, ENOTTY, EROFS, ENOSYS = 1, 2, 13, 18, 22, 25, 30, 38
 
 
 @pytest.fixture(scope="module")
@@ -185,7 +185,7 @@ REFUSED = [
     *("signal_all", "signal_group", "signal_other", "signal_by_handle", "signal_by_file"),
     *("signal_number_by_file", "trace_parent", "be_traced", "read_memory", "outlive_the_grader"),
     *("internet", "internet_6", "datagrams", "loopback", "unix_socket", "netlink", "packets"),
-    *("socket_pair", "pipe_file", "device", "attribute", "handle", "become_root", "limit_others"),
+    *("socket_pair", "pipe_file", "device", "attribute", "handle", "limit_others"),
     *("real_time", "new_namespace", "join_namespace", "mount", "unmount", "open_tree"),
     *("change_root", "new_filter", "io_uring", "old_async_io", "keyring", "new_key", "bpf"),
     *("performance", "page_faults", "personality", "shared_memory", "message_queue"),
@@ -296,6 +296,11 @@ def test_it_is_a_user_who_owns_nothing(found: Any) -> None:
     assert users == groups == [65534] * 3
     assert set(others) <= {65534}
     assert found["capabilities"] == ["0" * 16] * 4
+
+
+def test_it_cannot_become_root(found: Any) -> None:
+    # As an ordinary user's job it does not even have a name for root.
+    assert tuple(found["become_root"]) in [("PermissionError", EPERM), ("OSError", EINVAL)]
 
 
 def test_a_limit_cannot_be_raised(found: Any) -> None:

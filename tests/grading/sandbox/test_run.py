@@ -6,6 +6,7 @@ import platform
 import subprocess
 import sys
 import time
+import unittest
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -398,12 +399,11 @@ def test_a_file_that_is_not_there_is_told(walled: Level, tmp_path: Path) -> None
 
 
 def test_folders_can_be_hidden(walled: Level, tmp_path: Path) -> None:
-    hidden = Path(sys.prefix, "lib")
+    hidden = Path(unittest.__file__).parent  # among Python's own, and not needed
     code = f"import os; print(os.listdir({str(hidden)!r}))"
 
     ending = run(Job("timeit", ("-n", "1", "-r", "1", code), hidden=(hidden,)), walled)
 
-    assert "site-packages" not in ending.console
     assert "PermissionError" in ending.console
 
 
