@@ -1,6 +1,6 @@
-"""The file of mouse and keys: here only what an assignment needs to know of it, and in words.
+"""The file of mouse and keys: what happens in it, and when, in words.
 
-What the events do to a sketch is the runtime's.
+What the events do to a sketch is the runtime's (`replay`).
 """
 
 from __future__ import annotations
@@ -11,8 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sketchkit.grading.assignment.errors import AssignmentError
+from sketchkit.runtime.replay import EventsError, read_replay
 
 EXAMPLE = 'Write {"events": [{"frame": 3, "move": [40, 50]}, {"frame": 4, "press": "left"}]}.'
+DONE = {"press": "pressed", "release": "released", "click": "clicked"}
 
 
 @dataclass(frozen=True)
@@ -22,9 +24,9 @@ class Happening:
     Attributes
     ----------
     frame : int
-        Before which it happens.
+        In which it happens.
     words : str
-        "the left button is pressed".
+        "the left mouse button is pressed".
     """
 
     frame: int
@@ -40,45 +42,38 @@ def read_events(path: Path, name: str) -> tuple[Happening, ...]:
         If the file is no list of events.
     """
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except (ValueError, OSError) as problem:
-        line = getattr(problem, "lineno", None)
+        read_replay(path)
+    except EventsError as problem:
+        said = problem.problem.removeprefix(path.name).lstrip(", ")
         raise AssignmentError(
-            f"It cannot be read as JSON: {getattr(problem, 'msg', problem)}.",
-            file=name,
-            line=line,
-            hint=EXAMPLE,
+            f"{said[0].upper()}{said[1:]}", file=name, hint=problem.hint or EXAMPLE
         ) from None
-    events = content.get("events") if isinstance(content, Mapping) else None
-    if not isinstance(events, list) or not events:
-        raise AssignmentError("It has no list of events.", file=name, hint=EXAMPLE)
-    happenings = [_happening(event, place, name) for place, event in enumerate(events, 1)]
+    content = json.loads(path.read_text(encoding="utf-8-sig"))
+    events = content["events"] if isinstance(content, Mapping) else content
+    if not events:
+        raise AssignmentError("Nothing happens in it.", file=name, hint=EXAMPLE)
+    happenings = [Happening(event["frame"], _words(event)) for event in events]
     return tuple(sorted(happenings, key=lambda happening: happening.frame))
 
 
-def _happening(event: object, place: int, name: str) -> Happening:
-    frame = event.get("frame") if isinstance(event, Mapping) else None
-    if isinstance(frame, bool) or not isinstance(frame, int) or frame < 0:
-        raise AssignmentError(f"Event {place} does not say its frame.", file=name, hint=EXAMPLE)
-    assert isinstance(event, Mapping)
-    actions = [_words(str(key), value) for key, value in event.items() if key != "frame"]
-    return Happening(frame, " and ".join(filter(None, actions)) or "something happens")
-
-
-def _words(action: str, value: object) -> str:
-    match action, value:
-        case ("move" | "drag", [x, y, *_]):
+def _words(event: Mapping[str, object]) -> str:
+    match event:
+        case {"move": [x, y, *_]}:
             return f"the mouse moves to {x}, {y}"
-        case "press", str(button):
-            return f"the {button} mouse button is pressed"
-        case "release", str(button):
-            return f"the {button} mouse button is released"
-        case "click", str(button):
-            return f"the {button} mouse button is clicked"
-        case "wheel", _:
+        case {"drag": [*_, [x, y]]}:
+            return f"the mouse is dragged to {x}, {y}"
+        case {"press": button} | {"release": button} | {"click": button}:
+            done = next(DONE[action] for action in DONE if action in event)
+            return f"the {button} mouse button is {done}"
+        case {"wheel": _}:
             return "the wheel is turned"
-        case action, str(key) if action.lower().startswith("key"):
-            done = "released" if "release" in action.lower() else "pressed"
-            return f"the key {key!r} is {done}"
+        case {"key": key} | {"keyDown": key}:
+            return f"the key {key} is pressed"
+        case {"keyUp": key}:
+            return f"the key {key} is released"
+        case {"type": text}:
+            return f"{text!r} is typed"
+        case {"resize": [width, height]}:
+            return f"the window becomes {width} x {height}"
         case _:
-            return f"{action}: {value}"
+            return "the mouse enters or leaves the window"

@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from statistics import fmean
 
 from sketchkit.assets.output import picture_bytes, write_file
 from sketchkit.grading.assignment.run import Run
-from sketchkit.grading.checks.case import Case, missing_frame
+from sketchkit.grading.checks.case import Case, first_of, missing_frame
 from sketchkit.grading.checks.marks import MarkCurve
 from sketchkit.grading.checks.metrics import AnyTolerance, compare
-from sketchkit.grading.checks.pictures import PictureError, Pictures, read_picture, size_of
+from sketchkit.grading.checks.pictures import PictureError, Pictures, read_picture
 from sketchkit.grading.evidence import RunEvidence
 from sketchkit.grading.images.verdict import Verdict
 from sketchkit.grading.results import Comparison
@@ -63,7 +62,7 @@ class Sighting:
     comparison : Comparison
         With absolute paths, and no heat map yet.
     verdict : Verdict or None
-        None if there were no two pictures of one size.
+        None if there were no two pictures.
     """
 
     number: int
@@ -133,13 +132,20 @@ def shown(attempt: Attempt, case: Case) -> list[Comparison]:
 
 
 def told(attempt: Attempt) -> list[str]:
-    """Return the reasons of the frames that lost marks; of many, the first few and a count."""
-    unlike = [sighting for sighting in attempt.sightings if sighting.comparison.reason]
-    reasons = list(dict.fromkeys(sighting.comparison.reason for sighting in unlike))
-    if len(reasons) <= MOST_TOLD:
-        return reasons
-    more = len(reasons) - MOST_TOLD
-    return [*reasons[:MOST_TOLD], f"{more} more frame{'s differ' if more > 1 else ' differs'}."]
+    """Return why frames have lost marks, each reason once; of many, the first few and a count."""
+    groups: dict[str, list[str]] = {}
+    for sighting in attempt.sightings:
+        comparison = sighting.comparison
+        if comparison.is_alike:
+            continue
+        is_missing = comparison.submitted is None
+        label = "" if sighting.verdict is None else f"{comparison.label.capitalize()}: "
+        sentence = f"{label}{comparison.reason}"
+        groups.setdefault("" if is_missing else comparison.reason, []).append(sentence)
+    first, rest = [*groups.values()][:MOST_TOLD], [*groups.values()][MOST_TOLD:]
+    more = sum(map(len, rest))
+    also = [f"{more} more frame{'s differ' if more > 1 else ' differs'}."] if more else []
+    return [*map(first_of, first), *also]
 
 
 def best_of(attempts: Iterable[Attempt | None]) -> Attempt | None:
@@ -157,13 +163,12 @@ def _see(case: Case, rule: PictureRule, reference: RunEvidence, number: int, own
     if submitted is None:
         return _nothing(number, comparison, missing_frame(case.run, own))
     try:
-        if problem := _size_problem(submitted, expected):
-            return _nothing(number, comparison, problem)
         verdict = compare(
             read_picture(submitted),
             read_picture(expected),
             rule.tolerance,
-            _alternatives(reference, number, size_of(expected)),
+            _alternatives(reference, number),
+            f"frame {number}",
         )
     except PictureError as problem:
         return _nothing(number, comparison, str(problem))
@@ -171,15 +176,13 @@ def _see(case: Case, rule: PictureRule, reference: RunEvidence, number: int, own
 
 
 def _seen(rule: PictureRule, number: int, comparison: Comparison, verdict: Verdict) -> Sighting:
-    words = " ".join(filter(None, (verdict.reason, verdict.explanation)))
-    reason = "" if verdict.is_alike else f"{comparison.label.capitalize()}: {words}"
     comparison = replace(
         comparison,
         flip_mean=verdict.flip_mean,
         flip_high=verdict.flip_high,
         region=verdict.region,
         is_alike=verdict.is_alike,
-        reason=reason,
+        reason=verdict.reason,
     )
     score = rule.curve.score(verdict.distance)
     return Sighting(number, score, verdict.distance, comparison, verdict)
@@ -189,29 +192,18 @@ def _nothing(number: int, comparison: Comparison, reason: str) -> Sighting:
     return Sighting(number, 0.0, math.inf, replace(comparison, reason=reason))
 
 
-def _size_problem(submitted: Path, expected: Path) -> str | None:
-    """Return a sentence if two pictures cannot be compared."""
-    own, theirs = size_of(submitted), size_of(expected)
-    if own == theirs:
-        return None
-    return (
-        f"Your picture is {own[0]} x {own[1]} pixels, and {theirs[0]} x {theirs[1]} are expected: "
-        f"give {theirs[0]} and {theirs[1]} to size()."
-    )
-
-
-def _alternatives(run: RunEvidence, number: int, size: tuple[int, int]) -> Pictures:
+def _alternatives(run: RunEvidence, number: int) -> Pictures:
     """Return other pictures of the reference that a wrong one may resemble, by their names."""
     numbers = sorted({number + step for step in NEIGHBOURS} | {*FIRST_FRAMES} - {number})
     paths = {f"frame {other}": run.frames[other] for other in numbers if other in run.frames}
     for name, frames in run.variants.items():
         if number in frames:
             paths[name] = frames[number]
-    return Pictures({name: path for name, path in paths.items() if size_of(path) == size})
+    return Pictures(paths)
 
 
 def _with_heat(sighting: Sighting, case: Case) -> Comparison:
-    if sighting.verdict is None or sighting.verdict.is_alike or sighting.verdict.heat is None:
+    if sighting.verdict is None or sighting.verdict.is_alike:
         return sighting.comparison
     path = case.pictures / f"{case.check.slug}-{sighting.number:04d}-difference.png"
     write_file(path, picture_bytes(sighting.verdict.heat, ".png"))

@@ -11,6 +11,7 @@ import numpy as np
 from sketchkit.grading.assignment.table import Table
 from sketchkit.grading.checks.pictures import U8
 from sketchkit.grading.images import verdict as flip
+from sketchkit.grading.images.sizes import explain_size
 from sketchkit.grading.images.verdict import Tolerance, Verdict
 
 
@@ -44,22 +45,27 @@ def read_tolerance(table: Table) -> AnyTolerance:
 
 
 def compare(
-    submitted: U8, expected: U8, tolerance: AnyTolerance, alternatives: Mapping[str, U8]
+    submitted: U8,
+    expected: U8,
+    tolerance: AnyTolerance,
+    alternatives: Mapping[str, U8] = flip.NO_ALTERNATIVES,
+    name: str = "",
 ) -> Verdict:
-    """Return what is to be said of two pictures of one size, (h, w, 3).
+    """Return what is to be said of two pictures, (h, w, 3).
 
-    `alternatives` are other pictures that the submitted one may resemble more, by name.
+    `alternatives` are other pictures that the submitted one may resemble more, by name; `name` is
+    the expected one's.
     """
     if isinstance(tolerance, PixelTolerance):
         return _pixel_by_pixel(submitted, expected, tolerance)
-    return flip.judge(submitted, expected, tolerance, alternatives)
+    return flip.judge(submitted, expected, tolerance, alternatives, name=name)
 
 
 def _flip_tolerance(table: Table | None) -> AnyTolerance:
     if table is None:
         return Tolerance()
     defaults = {field.name: getattr(Tolerance(), field.name) for field in fields(Tolerance)}
-    values = {name: table.number(name, value, above=0) for name, value in defaults.items()}
+    values = {name: table.number(name, value, least=0) for name, value in defaults.items()}
     return Tolerance(**{name: type(defaults[name])(value) for name, value in values.items()})
 
 
@@ -79,21 +85,28 @@ METRICS: dict[str, Callable[[Table | None], AnyTolerance]] = {
 
 
 def _pixel_by_pixel(submitted: U8, expected: U8, tolerance: PixelTolerance) -> Verdict:
+    height, width, _ = expected.shape
+    if submitted.shape != expected.shape:
+        differs = np.ones((height, width), bool)
+        return _pixel_verdict(differs, math.inf, explain_size(submitted, expected).sentence)
     steps = np.abs(submitted.astype(np.int16) - expected).max(axis=2)
     differs = steps > tolerance.step
-    count = int(differs.sum())
-    allowed = tolerance.share * differs.size
+    count, allowed = int(differs.sum()), tolerance.share * differs.size
     distance = count / allowed if allowed else math.inf if count else 0.0
-    is_alike = distance <= 1
     noun = "pixel differs" if count == 1 else "pixels differ"
+    reason = f"{count:,} {noun}, and {math.floor(allowed):,} may." if distance > 1 else ""
+    return _pixel_verdict(differs, distance, reason)
+
+
+def _pixel_verdict(differs: np.typing.NDArray[np.bool_], distance: float, reason: str) -> Verdict:
     return Verdict(
-        is_alike=is_alike,
-        distance=distance,
+        is_alike=distance <= 1,
+        distance=min(distance, flip.FARTHEST),
         flip_mean=0.0,
         flip_high=0.0,
-        region=count,
+        region=int(differs.sum()),
         region_box=_box(differs),
-        reason="" if is_alike else f"{count:,} {noun}, and {math.floor(allowed):,} may.",
+        reason=reason,
         explanation="",
         heat=np.repeat((differs * np.uint8(255))[..., None], 3, axis=2),
     )

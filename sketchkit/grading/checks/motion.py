@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -18,9 +17,9 @@ from sketchkit.grading.checks.case import Basis, Case, Kind, missing_frame, resu
 from sketchkit.grading.checks.marks import MarkCurve, Measure, read_curve
 from sketchkit.grading.evidence import RunEvidence
 from sketchkit.grading.results import CheckResult, Curve, Status
+from sketchkit.runtime.watching import is_watchable
 
 USUAL_RELATIVE = 0.05  # of the range that the reference moves through
-VALUE_NAME = re.compile(r"[^\W\d]\w*(\.[^\W\d]\w*|\[\d+\])*")
 EXAMPLE = 'Write values = ["ball.x", "angle"].'
 BAND_EXAMPLE = "Write [[1, 0, 10], [60, 90, 110]]: frame, lowest, highest."
 
@@ -89,7 +88,7 @@ def read(table: Table, check: Check) -> MotionRule:
     if not values:
         raise table.error("A motion check needs values.", hint=EXAMPLE)
     for name in values:
-        if not VALUE_NAME.fullmatch(name):
+        if not is_watchable(name):
             raise table.error(f"{name!r} is no name of a value.", "values", EXAMPLE)
     for name in bands:
         if name not in values:

@@ -25,6 +25,7 @@ DRAWN_WITH = {
     "ellipse": "ellipse() or circle()",
     "shape": "beginShape()",
     "mesh": "shape()",
+    "text": "text(), in letters",
     **{
         name: f"{name}()"
         for name in (
@@ -36,7 +37,6 @@ DRAWN_WITH = {
             "point",
             "arc",
             "image",
-            "text",
         )
     },
 }
