@@ -1,4 +1,4 @@
-"""Cases for tests of checks, made by hand: pictures of one colour with a block in it, and tables."""
+"""Cases for tests of checks, made by hand: small pictures, black and white, and tables."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def table(text: str, folder: Path = Path(), noun: str = "a check") -> Table:
     return Table(tomllib.loads(text), Document(text, folder), noun=noun)
 
 
-def check_of(
+def check_of(  # noqa: PLR0913 # what a check is made of
     kind: str,
     text: str = "",
     *,

@@ -83,9 +83,7 @@ def test_frames_before_a_mistake_are_judged(tmp_path: Path) -> None:
     check = check_of("image", PIXELS, frames=(1, 30, 40))
     run = pictured(tmp_path / "s", {1: 0}, Status.STOPPED, "sketch.py, line 3: x is not defined.")
 
-    result = judged(
-        check, Evidence({"": run}), shows(tmp_path / "r", f1=0, f30=0, f40=0), tmp_path
-    )
+    result = judged(check, Evidence({"": run}), shows(tmp_path / "r", f1=0, f30=0, f40=0), tmp_path)
 
     assert result.score == pytest.approx(1 / 3)
     assert result.points == 2
@@ -186,9 +184,7 @@ def test_reference_drawn_otherwise_is_recognised(tmp_path: Path) -> None:
     )
     own = RunEvidence(Status.GRADED, frames={1: picture(tmp_path / "s.png", 2400, size)})
 
-    result = judged(
-        check_of("image"), Evidence({"": own}), Evidence({"": reference}), tmp_path
-    )
+    result = judged(check_of("image"), Evidence({"": own}), Evidence({"": reference}), tmp_path)
 
     assert "without lights" in result.reasons[0]
 
@@ -196,7 +192,7 @@ def test_reference_drawn_otherwise_is_recognised(tmp_path: Path) -> None:
 def test_many_reasons_are_cut_short(tmp_path: Path) -> None:
     check = check_of("image", PIXELS, frames=tuple(range(1, 11)))
     own = Evidence({"": pictured(tmp_path / "s", {n: 20 + n for n in range(1, 11)})})
-    theirs = Evidence({"": pictured(tmp_path / "r", {n: 0 for n in range(1, 11)})})
+    theirs = Evidence({"": pictured(tmp_path / "r", dict.fromkeys(range(1, 11), 0))})
 
     result = judged(check, own, theirs, tmp_path)
 

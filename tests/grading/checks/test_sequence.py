@@ -14,9 +14,7 @@ LAST = 20
 
 def growing(folder: Path, late: int = 0, frames: int = LAST) -> Evidence:
     """Return an animation whose frame n has 8 n black pixels, or shows that some frames late."""
-    return Evidence(
-        {"": pictured(folder, {n: 8 * max(n - late, 0) for n in range(1, frames + 1)})}
-    )
+    return Evidence({"": pictured(folder, {n: 8 * max(n - late, 0) for n in range(1, frames + 1)})})
 
 
 @pytest.mark.parametrize(
