@@ -121,6 +121,13 @@ def missing_frame(run: RunEvidence, number: int) -> str:
     return f"It stopped before frame {number}: {why}."
 
 
+def missing_trace(run: RunEvidence, number: int) -> str:
+    """Return why nothing is known of what a frame draws, in a sentence."""
+    if run.status is Status.GRADED:
+        return f"Nothing is drawn in frame {number}: there is no draw(), or noLoop() has ended it."
+    return missing_frame(run, number)
+
+
 def first_of(sentences: Sequence[str]) -> str:
     """Return the first of sentences that say the same of one frame each, and how many follow."""
     more = len(sentences) - 1

@@ -6,6 +6,7 @@ would have changed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -124,9 +125,8 @@ def _expected(case: Case, rule: InteractionRule, number: int | None = None) -> s
     before = [happening for happening in rule.happenings if happening.frame <= last]
     if not before:
         return ""
-    telling = [
-        happening for happening in before if not happening.words.startswith("the mouse moves")
-    ]
+    # A press says more than the way there, and than the release after it.
+    telling = [one for one in before if not re.search("moves to|is released", one.words)]
     happening = (telling or before)[-1]
     return f"In frame {happening.frame} {happening.words}, and the picture should answer to that."
 

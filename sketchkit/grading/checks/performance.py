@@ -16,7 +16,7 @@ from sketchkit.grading.assignment.assignment import Check
 from sketchkit.grading.assignment.run import Run
 from sketchkit.grading.assignment.table import Table
 from sketchkit.grading.checks.amount import Amount, read_amount
-from sketchkit.grading.checks.case import Basis, Case, Kind, first_of, missing_frame, result
+from sketchkit.grading.checks.case import Basis, Case, Kind, first_of, missing_trace, result
 from sketchkit.grading.checks.marks import MarkCurve, Measure, read_curve
 from sketchkit.grading.checks.trace import COUNTED, count
 from sketchkit.grading.evidence import Trace
@@ -91,7 +91,7 @@ def _frame(case: Case, rule: PerformanceRule, measure: str, number: int) -> tupl
     """Return the score of a frame, and the problem with it, or ""."""
     trace = case.run.traces.get(number)
     if trace is None:
-        return 0.0, missing_frame(case.run, number)
+        return 0.0, missing_trace(case.run, number)
     if trace.vertices == 0:
         return 0.0, f"Nothing is drawn in frame {number}."
     amounts = list(_limits(case, rule, measure, number))

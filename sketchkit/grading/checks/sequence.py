@@ -62,10 +62,12 @@ def best_attempt(case: Case, rule: PictureRule) -> Attempt | None:
 
 def _attempts(case: Case, rule: PictureRule) -> Iterator[Attempt | None]:
     for run in case.reference_runs():
-        yield hold_beside(case, rule, run)
         shift = likely_shift(case.run.frames, run.frames, case.check.frames, rule.shift)
-        if shift:
-            yield hold_beside(case, rule, run, shift)
+        attempt = hold_beside(case, rule, run, shift)
+        yield attempt
+        # Small pictures may have misled: without a shift there may be more marks.
+        if shift and (attempt is None or attempt.score < 1):
+            yield hold_beside(case, rule, run)
 
 
 def lateness(attempt: Attempt, case: Case) -> list[str]:

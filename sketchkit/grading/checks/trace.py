@@ -15,7 +15,7 @@ from sketchkit.grading.assignment.assignment import Check
 from sketchkit.grading.assignment.run import Run
 from sketchkit.grading.assignment.table import Table
 from sketchkit.grading.checks.amount import Amount, exactly, read_amount
-from sketchkit.grading.checks.case import Basis, Case, Kind, first_of, missing_frame, result
+from sketchkit.grading.checks.case import Basis, Case, Kind, first_of, missing_trace, result
 from sketchkit.grading.checks.marks import MarkCurve, Measure, read_curve
 from sketchkit.grading.evidence import Trace
 from sketchkit.grading.results import CheckResult
@@ -136,7 +136,7 @@ def judge(case: Case, rule: TraceRule) -> CheckResult:
         trace = case.run.traces.get(number)
         if trace is None:
             scores.append(0.0)
-            unmet.setdefault("", []).append(missing_frame(case.run, number))
+            unmet.setdefault("", []).append(missing_trace(case.run, number))
             continue
         findings = dict(_findings(case, rule, number, trace))
         scores.append(rule.curve.score(1 - _share(list(findings.values()), trace)))
