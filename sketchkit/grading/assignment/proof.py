@@ -21,7 +21,17 @@ def prove(first: StudentResult, second: StudentResult, empty: StudentResult) -> 
     empty : StudentResult
         Of a sketch that does nothing.
     """
-    return [*_lost_marks(first), *_differences(first, second), *_free_marks(empty)]
+    return [*_lost_marks(first), *_differences(first, second), *free_marks(empty)]
+
+
+def free_marks(empty: StudentResult) -> list[str]:
+    """Return where a sketch that does nothing earns marks, in sentences."""
+    return [
+        f"A sketch that does nothing gets {check.points:g} of {check.out_of:g} marks in "
+        f"{check.name!r}: ask there for what has to be drawn or written, or tolerate less."
+        for check in empty.checks
+        if check.points > 0
+    ]
 
 
 def unlike_evidence(first: Evidence, second: Evidence) -> list[str]:
@@ -75,16 +85,6 @@ def _essence(check: CheckResult) -> CheckResult:
     return replace(
         check, comparisons=comparisons, curves=(), reasons=(*check.reasons, str(check.curves))
     )
-
-
-def _free_marks(empty: StudentResult) -> Iterator[str]:
-    for check in empty.checks:
-        if check.points > 0:
-            yield (
-                f"A sketch that does nothing gets {check.points:g} of {check.out_of:g} marks in "
-                f"{check.name!r}: ask for something there that has to be drawn or written, or "
-                "tolerate less."
-            )
 
 
 def _why(result: StudentResult) -> str:

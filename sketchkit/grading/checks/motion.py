@@ -15,6 +15,7 @@ from sketchkit.grading.assignment.table import Table, shown
 from sketchkit.grading.checks.bands import F64, Band, band_around, values_at, written_band
 from sketchkit.grading.checks.case import Basis, Case, Kind, missing_frame, result
 from sketchkit.grading.checks.marks import MarkCurve, Measure, read_curve
+from sketchkit.grading.checks.shift import read_shift
 from sketchkit.grading.evidence import RunEvidence
 from sketchkit.grading.results import CheckResult, Curve, Status
 from sketchkit.runtime.watching import is_watchable
@@ -94,7 +95,7 @@ def read(table: Table, check: Check) -> MotionRule:
         if name not in values:
             raise table.error(f"bands has {name}, which is not among the values.", "bands")
     absolute, relative = _read_tolerance(table)
-    shift = table.whole("shift", 0)
+    shift = read_shift(table, 0)
     return MotionRule(values, absolute, relative, shift, read_curve(table, Measure.SHARE), bands)
 
 

@@ -19,11 +19,10 @@ from sketchkit.grading.checks.beside import (
 from sketchkit.grading.checks.case import Basis, Case, Kind, result
 from sketchkit.grading.checks.marks import Measure, read_curve
 from sketchkit.grading.checks.metrics import read_tolerance
-from sketchkit.grading.checks.shift import likely_shift
+from sketchkit.grading.checks.shift import likely_shift, read_shift
 from sketchkit.grading.results import CheckResult
 
 USUAL_SHIFT = 3
-MOST_SHIFT = 120  # two seconds: more is another animation
 
 
 def read(table: Table, _: Check) -> PictureRule:
@@ -33,11 +32,10 @@ def read(table: Table, _: Check) -> PictureRule:
 
 def read_rule(table: Table, usual_shift: int) -> PictureRule:
     """Return how pictures are compared, with a shift that the table may state."""
-    shift = table.whole("shift", usual_shift)
-    if shift > MOST_SHIFT:
-        raise table.error(f"shift is at most {MOST_SHIFT} frames, not {shift}.", "shift")
     return PictureRule(
-        read_tolerance(table), read_curve(table, Measure.DISTANCE), combine="mean", shift=shift
+        read_tolerance(table),
+        read_curve(table, Measure.DISTANCE),
+        shift=read_shift(table, usual_shift),
     )
 
 

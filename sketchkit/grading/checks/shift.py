@@ -9,11 +9,21 @@ from pathlib import Path
 
 import numpy as np
 
+from sketchkit.grading.assignment.table import Table
 from sketchkit.grading.checks.beside import counterpart
 from sketchkit.grading.checks.pictures import U8, PictureError, read_small
 
+MOST_SHIFT = 120  # two seconds: more is another animation
 SMALL = 160  # px wide
 GAIN = 0.9  # a shift has to leave less than this of the difference that there is without
+
+
+def read_shift(table: Table, usual: int) -> int:
+    """Return by how many frames a submission may be early or late, from a check's table."""
+    shift = table.whole("shift", usual)
+    if shift > MOST_SHIFT:
+        raise table.error(f"shift is at most {MOST_SHIFT} frames, not {shift}.", "shift")
+    return shift
 
 
 def likely_shift(
@@ -23,7 +33,10 @@ def likely_shift(
 
     Positive: the submission shows each picture later than the reference.
     """
-    own = {number: _small(path) for number, path in submitted.items()}
+    if most == 0:
+        return 0
+    moved = {counterpart(number, by) for number in frames for by in range(-most, most + 1)}
+    own = {number: _small(path) for number, path in submitted.items() if number in moved}
     theirs = {number: _small(expected[number]) for number in frames if number in expected}
     return best_shift(partial(_difference, own, theirs, frames), most)
 

@@ -186,6 +186,7 @@ def test_plan_watches_beyond_the_last_frame() -> None:
         ("bands = {x = [[1, 5, 2]]}", "a frame, the lowest and the highest number"),
         ("bands = {x = [[5, 0, 1], [1, 0, 1]]}", "The frames of x rise"),
         ("bands = {x = [[50, 0, 1]]}", "covers none of the frames"),
+        ('values = "x"\nshift = 121', "shift is at most 120 frames, not 121"),
         ('values = "x"\nshift = 1.5', "shift is a whole number, not 1.5"),
     ],
 )
