@@ -54,7 +54,9 @@ RULES = {
     "runtime": Rule((*BELOW_API, "tape", "api", "backends"), ("numpy",), late=("watchfiles", "av")),
     "runtime.window": Rule((*BELOW_API, "api", "backends", "runtime"), ("numpy", "glfw")),
     "grading": Rule(
-        EVERYTHING, ("numpy", "PIL", "scipy"), late=("jinja2", "markupsafe", "distributed")
+        (*EVERYTHING, "__init__"),
+        ("numpy", "PIL", "scipy"),
+        late=("jinja2", "markupsafe", "distributed"),
     ),
     "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL"), late=("fissix",)),
     "stubs": Rule(EVERYTHING),

@@ -55,7 +55,7 @@ class GradeGroup(click.Group):
 
 @click.group(cls=GradeGroup, name="grade", subcommand_metavar="ASSIGNMENT SUBMISSIONS [OPTIONS]")
 def command() -> None:
-    """Judge a class's sketches, each behind a wall of its own.
+    r"""Judge a class's sketches, each behind a wall of its own.
 
     ASSIGNMENT is a folder with assignment.toml; SUBMISSIONS a folder of folders, of zip files, or
     of single sketches. Pages and tables of marks go to the folder results.

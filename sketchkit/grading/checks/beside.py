@@ -112,13 +112,17 @@ def hold_beside(
 ) -> Attempt | None:
     """Return how the submission's frames compare with a reference's; None if no frame is left."""
     pairs = ((number, counterpart(number, shift)) for number in case.check.frames)
-    sightings = tuple(
-        _see(case, rule, reference, number, own) for number, own in pairs if own is not None
-    )
+    sightings: list[Sighting] = []
+    for number, own in pairs:
+        if own is not None:
+            # Most of the time goes into explaining; more than a few reasons are not told.
+            explains = sum(not one.comparison.is_alike for one in sightings) < MOST_TOLD
+            seen = _see(case, rule, reference, (number, own), explains=explains)
+            sightings.append(seen)
     if not sightings:
         return None
     score = COMBINATIONS[rule.combine](sighting.score for sighting in sightings)
-    return Attempt(score, sightings, shift)
+    return Attempt(score, tuple(sightings), shift)
 
 
 def shown(attempt: Attempt, case: Case) -> list[Comparison]:
@@ -153,8 +157,16 @@ def best_of(attempts: Iterable[Attempt | None]) -> Attempt | None:
     return max(filter(None, attempts), key=lambda attempt: attempt.rank, default=None)
 
 
-def _see(case: Case, rule: PictureRule, reference: RunEvidence, number: int, own: int) -> Sighting:
-    """Compare the submission's frame `own` with the reference's frame `number`."""
+def _see(
+    case: Case,
+    rule: PictureRule,
+    reference: RunEvidence,
+    numbers: tuple[int, int],
+    *,
+    explains: bool,
+) -> Sighting:
+    """Compare a frame of the reference with one of the submission, by their numbers."""
+    number, own = numbers
     label = f"frame {number}" if own == number else f"frame {number}, yours {own}"
     submitted, expected = case.run.frames.get(own), reference.frames.get(number)
     comparison = Comparison(label, submitted, expected, is_alike=False)
@@ -169,6 +181,7 @@ def _see(case: Case, rule: PictureRule, reference: RunEvidence, number: int, own
             rule.tolerance,
             _alternatives(reference, number),
             f"frame {number}",
+            explains=explains,
         )
     except PictureError as problem:
         return _nothing(number, comparison, str(problem))

@@ -50,15 +50,17 @@ def compare(
     tolerance: AnyTolerance,
     alternatives: Mapping[str, U8] = flip.NO_ALTERNATIVES,
     name: str = "",
+    *,
+    explains: bool = True,
 ) -> Verdict:
     """Return what is to be said of two pictures, (h, w, 3).
 
     `alternatives` are other pictures that the submitted one may resemble more, by name; `name` is
-    the expected one's.
+    the expected one's. `explains` says whether to look for what explains a difference.
     """
     if isinstance(tolerance, PixelTolerance):
         return _pixel_by_pixel(submitted, expected, tolerance)
-    return flip.judge(submitted, expected, tolerance, alternatives, name=name)
+    return flip.judge(submitted, expected, tolerance, alternatives, name=name, explains=explains)
 
 
 def _flip_tolerance(table: Table | None) -> AnyTolerance:

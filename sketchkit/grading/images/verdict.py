@@ -97,6 +97,7 @@ def judge(
     alternatives: Mapping[str, U8] = NO_ALTERNATIVES,
     *,
     name: str = "",
+    explains: bool = True,
 ) -> Verdict:
     """Judge a picture.
 
@@ -110,6 +111,9 @@ def judge(
         them is what was submitted, the reason says so.
     name : str, optional
         What the expected picture is: "frame 30".
+    explains : bool, optional
+        Whether to look for what explains a difference, which takes several times as long; else the
+        reason says where it is.
     """
     if submitted.shape != expected.shape:
         return _of_other_size(submitted, expected, tolerance)
@@ -121,7 +125,8 @@ def judge(
     distance = _distance(found.mean, found.high, region, tolerance)
     reason = Explanation("", "")
     if distance > 1:
-        reason = _reason(submitted, expected, found, alternatives, name)
+        where = Explanation("", _where(submitted, expected, found))
+        reason = _reason(submitted, expected, found, alternatives, name) if explains else where
     return Verdict(
         is_alike=distance <= 1,
         distance=distance,

@@ -73,6 +73,7 @@ class Drawing:
     values: list[list[float]] = field(default_factory=list)
     _remarks: int = 0
     _canvas: int = -1
+    _trace: object = None  # of the last frame, as JSON has it
 
     def play(self, file: BinaryIO) -> None:
         """Draw all of a tape; of a damaged one, what comes before the damage."""
@@ -106,9 +107,9 @@ class Drawing:
             self.values.append([float(cast(float, value)) for value in values])
         if self.tracer is not None:
             target = self.player.resources[canvas]
-            trace = self.tracer.take(cast(Target, target))
+            self._trace = to_json(self.tracer.take(cast(Target, target)))
             if number in self.traces:
-                self.send(Message("trace", {"frame": number, "trace": to_json(trace)}))
+                self.send(Message("trace", {"frame": number, "trace": self._trace}))
         self._canvas = canvas
         if number in self.frames:
             self._send_picture([number])
@@ -118,6 +119,9 @@ class Drawing:
         end = cast(int, self.told.end)
         if later := [number for number in self.frames if number > end]:
             self._send_picture(later)
+        if self.tracer is not None:
+            for number in (number for number in self.traces if number > end):
+                self.send(Message("trace", {"frame": number, "trace": self._trace}))
 
     def _send_picture(self, numbers: Sequence[int]) -> None:
         """Send what is on the canvas as the picture of some frames."""

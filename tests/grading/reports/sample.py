@@ -163,13 +163,13 @@ def _unlucky(folder: Path, count: int) -> list[StudentResult]:
     loud = "\x1b[31mred\x1b[0m " + HOSTILE[1] + "\n" + "spam and eggs " * 400
     return [
         StudentResult(
-            "Otto Stein", "stopped", Status.STOPPED, trace, stopped, "x = 17\n", (), True, 0.4,
+            "Otto Stein", "stopped", Status.STOPPED, trace, stopped, "x = 17\n", (), True,
             first.submitted, SANDBOX,
         ),
         StudentResult(
             SCRIPT, "script", Status.OVER_LIMIT, "It needed more than 10 s of processor time.",
             tuple(replace(check, score=0.0, points=0.0, reasons=(HOSTILE[2],), comparisons=())
-                  for check in stopped), loud, (), None, 10.0, None, SANDBOX,
+                  for check in stopped), loud, (), None, None, SANDBOX,
         ),
         StudentResult(
             "Petra \u202eafter", "refused", Status.REFUSED,
