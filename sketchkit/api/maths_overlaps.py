@@ -11,6 +11,7 @@ from typing import Any, TypeVar, overload
 
 from sketchkit.api.maths_calculation import java_int, over_zero
 from sketchkit.core.errors import SketchError, shown, wrong_numbers
+from sketchkit.core.notices import warn_once
 
 T = TypeVar("T")
 
@@ -78,6 +79,7 @@ def map(value: Any, *ranges: Any) -> Any:
         start1, stop1, start2, stop2 = ranges
         return start2 + (stop2 - start2) * ((value - start1) / (stop1 - start1))
     except ZeroDivisionError:
+        warn_once(f"map() has a range from {shown(start1)} to {shown(stop1)}: it holds no numbers.")
         return start2 + (stop2 - start2) * over_zero(value - start1)
     except (TypeError, ValueError):
         usage = "value, start1, stop1, start2, stop2"

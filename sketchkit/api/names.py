@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from types import ModuleType
 
-from sketchkit.api import maths, strings
+from sketchkit.api import conversions, maths, strings
 from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.host import PSurface
 from sketchkit.api.live import live_names
@@ -55,6 +55,7 @@ def groups_of(sketch: Sketch) -> dict[str, Names]:
         "overlaps": {**both, "open": opener(sketch.folder)},
         "maths": _exported(maths),
         "strings": _exported(strings),
+        "conversions": _exported(conversions),
         "constants": {n: v for n, v in vars(constants).items() if n.isupper()},
         "classes": {kind.__name__: kind for kind in (*CLASSES, type(canvas))},
     }

@@ -14,7 +14,8 @@ from typing import Any, Self, overload
 
 from sketchkit.api.pvector_arithmetic import VectorArithmetic
 from sketchkit.api.pvector_measures import Point, wrong_vector
-from sketchkit.core.errors import wrong_numbers
+from sketchkit.core.errors import SketchError, wrong_numbers
+from sketchkit.core.float32 import f32
 from sketchkit.core.rng import JavaRandom
 
 _random = JavaRandom(time.time_ns())
@@ -60,8 +61,9 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
 
     Notes
     -----
-    `a + b`, `a - b`, `a * 2`, `a / 2` and `-a` make new vectors, `a += b` changes `a`, and
-    `a * b` is the dot product. `x, y, z = v` takes a vector apart.
+    `a + b`, `a - b`, `a * 2`, `a / 2` and `-a` make new vectors, `a += b` changes `a`. As in
+    Python Mode `*` is for numbers alone: two vectors have `a.dot(b)` and `a.cross(b)`.
+    `x, y, z = v` takes a vector apart.
 
     Examples
     --------
@@ -221,9 +223,9 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
         """
         angle = _random.below(tau)
         z = _random.between(-1, 1)
-        radius = sqrt(1 - z * z)
+        radius = sqrt(f32(1 - f32(z * z)))  # rounded where Java does it: the digits are the same
         result = target if isinstance(target, PVector) else PVector()
-        return result.set(radius * cos(angle), radius * sin(angle), z)
+        return result.set(f32(radius * cos(angle)), f32(radius * sin(angle)), z)
 
     def __add__(self, other: Point) -> PVector:
         try:
@@ -237,13 +239,9 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
         except AttributeError:
             return NotImplemented
 
-    @overload
-    def __mul__(self, other: float) -> PVector: ...
-    @overload
-    def __mul__(self, other: PVector) -> float: ...
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: float) -> PVector:
         if isinstance(other, PVector):
-            return self.dot(other)
+            raise _two_vectors(self, other)
         try:
             return PVector(self.x * other, self.y * other, self.z * other)
         except TypeError:
@@ -264,7 +262,9 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
     def __isub__(self, other: Point) -> Self:
         return self.sub(other)
 
-    def __imul__(self, other: float) -> Self:  # type: ignore[misc]  # never a dot product
+    def __imul__(self, other: float) -> Self:
+        if isinstance(other, PVector):
+            raise _two_vectors(self, other)
         return self.mult(other)
 
     def __itruediv__(self, other: float) -> Self:
@@ -333,3 +333,11 @@ def _copy(name: str, v: Point, other: object, target: PVector | None = None) -> 
         return PVector(v.x, v.y, v.z) if target is None else target.set(v.x, v.y, v.z)
     except AttributeError:
         raise wrong_vector(f"PVector.{name}", "a PVector first", v, other) from None
+
+
+def _two_vectors(a: PVector, b: PVector) -> SketchError:
+    return SketchError(
+        "* multiplies a PVector by a number, not by another PVector.",
+        got=f"{a} * {b}",
+        hint="a.dot(b) is the dot product, a.cross(b) the cross product.",
+    )

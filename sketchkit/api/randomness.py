@@ -57,9 +57,51 @@ class Randomness:
             return self._random.below(low)  # type: ignore[arg-type]  # raises
         except TypeError:
             if high is None and isinstance(low, Sequence) and not isinstance(low, str):
-                return self._choice(low)
+                return self._choice("random", low)
             args = (low,) if high is None else (low, high)
             raise wrong_numbers("random", args, RANDOM_USAGE) from None
+
+    @overload
+    def choice(self, high: float, /) -> int: ...
+    @overload
+    def choice(self, low: float, high: float, /) -> int: ...
+    @overload
+    def choice(self, values: Sequence[T], /) -> T: ...
+    def choice(self, low: object, high: float | None = None, /) -> object:
+        """Return an unpredictable whole number, or one of a list's values.
+
+        Parameters
+        ----------
+        low, high : float
+            The range: up to `high`, without reaching it, from `low`, or from 0 if it is left
+            out. Also a list in their place.
+
+        See Also
+        --------
+        random, randomSeed
+
+        Notes
+        -----
+        It is what `random()` gives, without its fraction. Choosing from a list is not in
+        Processing; it is what `choice()` of Python's module random does.
+
+        Examples
+        --------
+        >>> randomSeed(0)
+        >>> choice(6) + 1
+        5
+        >>> choice(["rock", "paper", "scissors"])
+        'scissors'
+        """
+        try:
+            if high is not None:
+                return int(self._random.between(low, high))  # type: ignore[arg-type]  # raises
+            return int(self._random.below(low))  # type: ignore[arg-type]  # raises
+        except TypeError:
+            if high is None and isinstance(low, Sequence) and not isinstance(low, str):
+                return self._choice("choice", low)
+            args = (low,) if high is None else (low, high)
+            raise wrong_numbers("choice", args, RANDOM_USAGE) from None
 
     def randomGaussian(self) -> float:
         """Return an unpredictable number, most often near 0 and seldom beyond -3 or 3.
@@ -175,9 +217,9 @@ class Randomness:
         """
         self._noise.seed(_whole("noiseSeed", seed))
 
-    def _choice(self, values: Sequence[T]) -> T:
+    def _choice(self, name: str, values: Sequence[T]) -> T:
         if not values:
-            raise SketchError("random() chooses from a list that has something in it.", got="[]")
+            raise SketchError(f"{name}() chooses from a list that has something in it.", got="[]")
         return values[int(self._random.below(len(values)))]
 
 

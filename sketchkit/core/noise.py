@@ -53,13 +53,12 @@ class PerlinNoise:
         if octaves > 0:
             self.octaves = octaves
         if falloff is not None and falloff > 0:
-            self.falloff = falloff
+            self.falloff = f32(falloff)
 
     def at(self, x: float, y: float = 0.0, z: float = 0.0) -> float:
         """Return the noise at a point, from 0 to 1; it is mirrored at zero.
 
-        Halfway steps are computed in 64 bits, so the last digits differ from Java's (1e-7); the
-        places in the table are found in 32, for there a bit decides about a whole step.
+        Every step is rounded to 32 bits, as Java's float does it: so all digits are Processing's.
         """
         table = self._table or self._fill()
         try:
@@ -70,10 +69,15 @@ class PerlinNoise:
             raise SketchError("noise() needs finite numbers.", got=f"{x}, {y}, {z}") from None
         total = 0.0
         height = 0.5
+        falloff = self.falloff
         for _ in range(self.octaves):
             corner = (xi + yi * _Y_STEP + zi * _Z_STEP) % _SIZE
-            total += height * _inside_cell(table, corner, xf, yf, zf)
-            height *= self.falloff
+            value = height * _inside_cell(table, corner, xf, yf, zf)
+            t = value * ROUND
+            value = total + (t - (t - value))
+            t = value * ROUND
+            total = t - (t - value)
+            height = f32(height * falloff)
             xi, xf = (2 * xi, 2 * xf) if xf < 0.5 else (2 * xi + 1, 2 * xf - 1.0)
             if yf or yi:
                 yi, yf = (2 * yi, 2 * yf) if yf < 0.5 else (2 * yi + 1, 2 * yf - 1.0)
@@ -95,21 +99,30 @@ def _inside_cell(table: list[float], corner: int, xf: float, yf: float, zf: floa
     step = xf * _EASE_STEPS
     t = step * ROUND
     ease_x = _EASE[int(t - (t - step))]
-    near = table[corner]
-    near += ease_x * (table[corner + 1] - near)
+    near = _between(table[corner], table[corner + 1], ease_x)
     if yf:
         step = yf * _EASE_STEPS
         t = step * ROUND
         ease_y = _EASE[int(t - (t - step))]
-        side = table[corner + _Y_STEP]
-        side += ease_x * (table[corner + _Y_STEP + 1] - side)
-        near += ease_y * (side - near)
+        corner_y = corner + _Y_STEP
+        near = _between(near, _between(table[corner_y], table[corner_y + 1], ease_x), ease_y)
     if zf:
         step = zf * _EASE_STEPS
         t = step * ROUND
         far = _inside_cell(table, corner + _Z_STEP, xf, yf, 0.0)
-        near += _EASE[int(t - (t - step))] * (far - near)
+        near = _between(near, far, _EASE[int(t - (t - step))])
     return near
+
+
+def _between(start: float, stop: float, amount: float) -> float:
+    """Return start + (stop - start) * amount, rounded to 32 bits at each of the three steps."""
+    value = stop - start
+    t = value * ROUND
+    value = (t - (t - value)) * amount
+    t = value * ROUND
+    value = start + (t - (t - value))
+    t = value * ROUND
+    return t - (t - value)
 
 
 def _split(value: float) -> tuple[int, float]:

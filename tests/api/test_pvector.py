@@ -100,7 +100,6 @@ def test_the_class_and_operators_make_a_new_vector(v, w, make, expected):
         (lambda v, w: v.dot(w), 12.0),
         (lambda v, w: v.dot(1, 2, 3), 14.0),
         (lambda v, w: PVector.dot(v, w), 12.0),
-        (lambda v, w: v * w, 12.0),
         (lambda v, w: v.dist(w), 67**0.5),
         (lambda v, w: PVector.dist(v, w), 67**0.5),
         (lambda v, w: PVector.angleBetween(v, w), 1.1966405),
@@ -245,3 +244,9 @@ def test_random_and_from_angle_fill_a_target(v, w):
     assert PVector.random3D(v, object()) is v
     assert PVector.fromAngle(0, w) is w
     assert tuple(w) == (1, 0, 0)
+
+
+@pytest.mark.parametrize("multiply", [operator.mul, operator.imul])
+def test_two_vectors_have_no_product_as_in_python_mode(v, w, multiply):
+    with pytest.raises(SketchError, match=r"a\.dot\(b\) is the dot product"):
+        multiply(v, w)

@@ -1,0 +1,1 @@
+"""Values that Processing itself calculates, compared with ours: see `calls.py`."""

@@ -1,0 +1,546 @@
+"""The calls whose results are compared with Processing's: maths, chance, text, vectors, colours.
+
+Each is a line of a sketch. Where it has several parts, divided by `"; "`, the last is the value.
+The lines of a group follow one another in the same sketch, so a seed rules those below it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+SEEDS = (
+    *("0", "1", "2", "42", "-1", "-7", "123456789", "2147483647", "-2147483648", "4294967297"),
+    *("9007199254740993", "-9223372036854775808", "3.7", "-3.7", "0.5", "1e6"),
+)
+PLACES = ("0", "0.5", "0.01", "0.999", "1", "1.5", "7.25", "15.9", "16", "255.3", "4095.5")
+FAR_PLACES = ("-0.5", "-3.3", "-1000.1", "4096.7", "12345.678", "100000.3", "1000000.1", "9e6")
+
+
+def every_call() -> Iterator[tuple[str, list[str]]]:
+    """Yield the name of each group, and its calls in order."""
+    for name, lines in {**LISTED, **dict(_chance()), **dict(_noise())}.items():
+        yield name, [line.strip() for line in lines if line.strip()]
+
+
+def _chance() -> Iterator[tuple[str, list[str]]]:
+    for seed in SEEDS:
+        yield (
+            f"random numbers of seed {seed}",
+            [
+                f"randomSeed({seed})",
+                *("random(1)", "random(1)", "random(100)", "random(-5, 5)", "random(0.1, 0.3)"),
+                *("randomGaussian()", "random(1e6)", "randomGaussian()", "randomGaussian()"),
+                *("random(255)", "random(-10)", "random(10, 10)", "random(10, 5)", "random(0)"),
+                *("random(3e38)", "random(1e-30)", "random(-1, 0)", "random(0, TWO_PI)"),
+                *("random(16777216)", "int(random(6))", "choice(6)", "choice(-5, 5)"),
+                f"randomSeed({seed}); randomGaussian()",
+                f"randomSeed({seed}); randomGaussian()",  # the spare one of the pair is forgotten
+            ],
+        )
+    for seed in SEEDS[:4]:
+        yield (
+            f"random vectors of seed {seed}",
+            [f"randomSeed({seed})", *["PVector.random2D()", "PVector.random3D()"] * 4],
+        )
+    rolls = [f"int(random({n}, {n + 7}))" for n in range(-20, 20)]
+    yield "whole random numbers", ["randomSeed(9)", *rolls]
+
+
+def _noise() -> Iterator[tuple[str, list[str]]]:
+    for seed in SEEDS[:8]:
+        yield (
+            f"noise of seed {seed}",
+            [
+                f"noiseSeed({seed})",
+                *(f"noise({x})" for x in PLACES),
+                *(f"noise({x}, {y})" for x, y in zip(PLACES, reversed(PLACES), strict=True)),
+                *(f"noise({x}, {y}, {x})" for x, y in zip(PLACES, PLACES[3:], strict=False)),
+                *(f"noise({x})" for x in FAR_PLACES),
+                *(f"noise({x}, {y}, 0.3)" for x, y in zip(FAR_PLACES, PLACES, strict=False)),
+            ],
+        )
+    for lod, falloff in (("1", ""), ("8", ""), ("3", "0.3"), ("6", "0.65"), ("4", "0.9")):
+        yield (
+            f"noise in detail {lod} {falloff}".strip(),
+            [
+                "noiseSeed(5)",
+                f"noiseDetail({lod}{', ' if falloff else ''}{falloff})",
+                *(f"noise({x}, 2.2)" for x in PLACES),
+                *(f"noise({x}, 2.2, 3.7)" for x in FAR_PLACES),
+                "noiseDetail(0); noise(1.5)",
+                "noiseDetail(2, 0); noise(1.5)",
+                "noiseDetail(4, 0.5)",
+            ],
+        )
+
+
+LISTED: dict[str, list[str]] = {
+    "ranges": """
+        map(25, 0, 100, 0, 8)
+        map(0.3, 0, 1, 10, -10)
+        map(150, 0, 100, 0, 1)
+        map(-1, 1, 3, 7, 9)
+        map(2, 7, 3, 0.1, 0.9)
+        map(0.1, 0.2, 0.7, 1000, 3000)
+        map(1, 2, 2, 0, 1)
+        map(2, 2, 2, 0, 1)
+        map(1e-3, -1e3, 1e3, -PI, PI)
+        norm(20, 0, 50)
+        norm(-3, 1, 4)
+        norm(0.1, 0.2, 0.9)
+        norm(5, 5, 5)
+        norm(6, 5, 5)
+        lerp(10, 20, 0.25)
+        lerp(0.1, 0.7, 0.3)
+        lerp(-5, 5, 1.5)
+        lerp(3, 3, 0.9)
+        lerp(1000, 2000, 0.333)
+        constrain(120, 0, 100)
+        constrain(-1, 0, 100)
+        constrain(42, 0, 100)
+        constrain(0.15, 0.2, 0.9)
+        constrain(0.55, 0.2, 0.9)
+        constrain(5, 10, 0)
+        constrain(2.5, 0, 10)
+    """.splitlines(),
+    "lengths": """
+        dist(0, 0, 30, 40)
+        dist(1.1, 2.2, 3.3, 4.4)
+        dist(-5, 7, 12, -3)
+        dist(1, 2, 3, 4, 5, 6)
+        dist(0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
+        dist(1000.1, 0, -1000.2, 5)
+        dist(3, 4, 3, 4)
+        mag(30, 40)
+        mag(1, 1)
+        mag(0.1, -0.7)
+        mag(1, 2, 2)
+        mag(0.3, 0.6, 0.9)
+        mag(123.4, 567.8, 910.11)
+    """.splitlines(),
+    "powers": """
+        sq(-5)
+        sq(0.1)
+        sq(1.5)
+        sq(12345.6)
+        sqrt(25)
+        sqrt(2)
+        sqrt(0.1)
+        sqrt(1e10)
+        sqrt(0)
+        sqrt(-1)
+        pow(2, 8)
+        pow(9, 0.5)
+        pow(2, -3)
+        pow(-2, 3)
+        pow(-2, 0.5)
+        pow(0, 0)
+        pow(0.5, 10)
+        pow(1.1, 20)
+        pow(10, 20)
+        pow(0, -1)
+        exp(0)
+        exp(1)
+        exp(-2.5)
+        exp(10)
+        exp(100)
+        log(1)
+        log(2)
+        log(10)
+        log(0.1)
+        log(0)
+        log(-1)
+        log(1e30)
+    """.splitlines(),
+    "whole numbers": """
+        round(2.5)
+        round(-2.5)
+        round(3.5)
+        round(0.49999997)
+        round(-0.5)
+        round(133.8)
+        round(1e10)
+        round(-1e10)
+        round(0.5)
+        round(7)
+        floor(2.88)
+        floor(-2.5)
+        floor(-0.1)
+        floor(3)
+        floor(1e10)
+        ceil(8.22)
+        ceil(-2.5)
+        ceil(-0.1)
+        ceil(3)
+        ceil(-1e10)
+        abs(-12)
+        abs(-12.5)
+        abs(3)
+        min(5, 9)
+        min(5, 9, 2)
+        min(0.3, 0.2)
+        min([3, 1, 2])
+        max(5, 9)
+        max(5, 9, 2)
+        max(0.3, 0.2)
+        max([3, 1, 2])
+        max([0.5, -1.5])
+    """.splitlines(),
+    "angles": """
+        degrees(PI)
+        degrees(1)
+        degrees(-0.3)
+        degrees(QUARTER_PI)
+        degrees(100)
+        radians(180)
+        radians(1)
+        radians(-45)
+        radians(33.3)
+        radians(720)
+        sin(0)
+        sin(1)
+        sin(PI)
+        sin(HALF_PI)
+        sin(-2.5)
+        sin(100)
+        cos(0)
+        cos(1)
+        cos(PI)
+        cos(HALF_PI)
+        cos(-2.5)
+        cos(100)
+        tan(0)
+        tan(1)
+        tan(QUARTER_PI)
+        tan(-2.5)
+        asin(0.5)
+        asin(-1)
+        asin(0.1)
+        asin(2)
+        acos(0.5)
+        acos(-1)
+        acos(0.1)
+        acos(-2)
+        atan(1)
+        atan(-0.3)
+        atan(100)
+        atan2(10, 0)
+        atan2(1, 1)
+        atan2(-1, -1)
+        atan2(0, -1)
+        atan2(0.3, -0.7)
+        atan2(0, 0)
+        PI
+        TWO_PI
+        HALF_PI
+        QUARTER_PI
+        THIRD_PI
+        TAU
+        DEG_TO_RAD
+        RAD_TO_DEG
+        EPSILON
+    """.splitlines(),
+    "numbers as text": """
+        nf(7, 3)
+        nf(-7, 3)
+        nf(12345, 3)
+        nf(0, 0)
+        nf(200, 10)
+        nf(3.14159, 1, 2)
+        nf(40.2, 5, 3)
+        nf(9.012, 2, 2)
+        nf(0.5, 0, 3)
+        nf(-0.5, 0, 3)
+        nf(2.675, 0, 2)
+        nf(0.125, 1, 2)
+        nf(0.375, 1, 2)
+        nf(2.5, 1, 0)
+        nf(123.456, 0, 0)
+        nf(1e7, 0, 2)
+        nf(-3.7, 2, 1)
+        nf(0.0, 2, 2)
+        nf([1, 20, 300], 4)
+        nf([1.25, 20.5], 2, 1)
+        nf(42)
+        nf(3.14159)
+        nf(1e10, 0, 1)
+        nfs(7, 3)
+        nfs(-7, 3)
+        nfs(3.14159, 2, 2)
+        nfs(-3.14159, 2, 2)
+        nfs([1, -2], 3)
+        nfp(7, 3)
+        nfp(-7, 3)
+        nfp(3.14159, 2, 2)
+        nfp(-3.14159, 2, 2)
+        nfp(0, 3)
+        nfp([1, -2], 3)
+        nfc(1234567)
+        nfc(-1234567)
+        nfc(12)
+        nfc(1234.5, 2)
+        nfc(-1234567.891, 1)
+        nfc(0.5, 2)
+        nfc(1000.0, 0)
+        nfc([1000, 2000000])
+        nfc([1234.5, 0.25], 1)
+    """.splitlines(),
+    "other digits": """
+        hex(255)
+        hex(255, 2)
+        hex(10, 4)
+        hex(-1)
+        hex(-1, 4)
+        hex(0)
+        hex(305419896, 6)
+        hex(color(255, 102, 0))
+        unhex("FF")
+        unhex("00ff66")
+        unhex("7FFFFFFF")
+        binary(5, 8)
+        binary(5)
+        binary(-1)
+        binary(0, 4)
+        binary(255, 4)
+        binary(1023)
+        unbinary("101")
+        unbinary("00000000")
+        unbinary("01111111111111111111111111111111")
+    """.splitlines(),
+    "text": r"""
+        join(["cat", "dog", "owl"], ", ")
+        join(["cat"], "-")
+        join(["", ""], "x")
+        split("a,b,,c", ",")
+        split("a,b,", ",")
+        split(",a", ",")
+        split("abc", ",")
+        split("", ",")
+        split("a, b, c", ", ")
+        split("a--b-c", "--")
+        splitTokens("a b  c")
+        splitTokens(" a\tb\nc ")
+        splitTokens("a,b;c", ",;")
+        splitTokens("", ",")
+        splitTokens(",,,", ",")
+        trim("  a word ")
+        trim("\t\n x \r\n")
+        trim("")
+        trim([" a ", "b "])
+        match("size: 24 px", "(\\d+) (px|pt)")
+        match("nothing", "(\\d+)")
+        match("abcabc", "b")
+        match("key=", "(\\w+)=(\\w+)?")
+        match("two\nlines", "two.lines")
+        match("two\nlines", "^lines$")
+        matchAll("<b><i>", "<(.)>")
+        matchAll("1 22 333", "\\d+")
+        matchAll("nothing", "\\d")
+        matchAll("a1b2", "([a-z])(\\d)")
+    """.splitlines(),
+    "conversions": r"""
+        parseInt("42")
+        parseInt("-7")
+        parseInt("3.9")
+        parseInt("four")
+        parseInt("")
+        parseInt("four", 44)
+        parseInt(3.9)
+        parseInt(-3.9)
+        parseInt(True)
+        parseInt(["1", "x", "3"])
+        parseInt(["1", "x", "3"], 9)
+        parseFloat("3.5")
+        parseFloat("-1e3")
+        parseFloat("x")
+        parseFloat("x", 2.5)
+        parseFloat(["1.5", "x"])
+        parseFloat(["1.5", "x"], 9)
+        parseFloat(3)
+        parseBoolean(1)
+        parseBoolean(0)
+        parseBoolean("true")
+        parseBoolean("True")
+        parseBoolean("TRUE")
+        parseBoolean("yes")
+        parseBoolean("false")
+        parseBoolean([0, 1, 2])
+        parseBoolean(["true", "no"])
+        parseByte(127)
+        parseByte(128)
+        parseByte(255)
+        parseByte(-1)
+        parseByte(300.7)
+        parseByte(True)
+        parseByte([1, 200])
+        parseChar(65)
+        parseChar(8364)
+        parseChar([72, 105])
+    """.splitlines(),
+    "vectors": """
+        PVector(1, 2, 3).add(PVector(4, 5, 6))
+        PVector(0.1, 0.2, 0.3).add(PVector(0.4, 0.5, 0.6))
+        PVector(1, 2).add(10, 20)
+        PVector(1, 2, 3).add(10, 20, 30)
+        PVector(1, 2, 3).sub(PVector(4, 5, 6))
+        PVector(0.1, 0.2, 0.3).sub(0.01, 0.02, 0.03)
+        PVector(1, 2, 3).mult(2.5)
+        PVector(0.1, 0.2, 0.3).mult(0.7)
+        PVector(1, 2, 3).div(3)
+        PVector(0.1, 0.2, 0.3).div(0.7)
+        PVector.add(PVector(1, 2, 3), PVector(4, 5, 6))
+        PVector.sub(PVector(1, 2, 3), PVector(4, 5, 6))
+        PVector.mult(PVector(1, 2, 3), 3)
+        PVector.div(PVector(1, 2, 3), 3)
+        PVector(3, 4).mag()
+        PVector(0.1, 0.2, 0.3).mag()
+        PVector(123.4, 567.8, 910.11).mag()
+        PVector(3, 4).magSq()
+        PVector(0.1, 0.2, 0.3).magSq()
+        PVector(1, 1).dist(PVector(4, 5))
+        PVector(0.1, 0.2, 0.3).dist(PVector(1.1, 2.2, 3.3))
+        PVector.dist(PVector(1, 2, 3), PVector(4, 6, 8))
+        PVector(1, 2, 3).dot(PVector(4, -5, 6))
+        PVector(0.1, 0.2, 0.3).dot(0.4, 0.5, 0.6)
+        PVector.dot(PVector(1, 2, 3), PVector(4, 5, 6))
+        PVector(1, 0, 0).cross(PVector(0, 1, 0))
+        PVector(0.1, 0.2, 0.3).cross(PVector(0.7, 0.5, 0.6))
+        PVector(0, 5).normalize()
+        PVector(1, 2, 3).normalize()
+        PVector(0, 0, 0).normalize()
+        PVector(0.1, 0.2, 0.3).normalize()
+        PVector(3, 4).setMag(10)
+        PVector(1, 2, 3).setMag(0.7)
+        PVector(0, 0).setMag(3)
+        PVector(30, 40).limit(5)
+        PVector(1, 2, 3).limit(10)
+        PVector(1, 2, 3).limit(1.5)
+        PVector(0, 5).heading()
+        PVector(-1, -2).heading()
+        PVector(0, 0).heading()
+        PVector(5, 0).setHeading(HALF_PI)
+        PVector(3, 4, 5).setHeading(1)
+        PVector(5, 0).rotate(HALF_PI)
+        PVector(1, 2, 3).rotate(0.7)
+        PVector(0, 0).lerp(PVector(10, 20), 0.5)
+        PVector(1, 2, 3).lerp(PVector(4, 6, 9), 0.3)
+        PVector(1, 2, 3).lerp(4, 6, 9, 0.1)
+        PVector.lerp(PVector(1, 2, 3), PVector(4, 6, 9), 0.9)
+        PVector.angleBetween(PVector(1, 0), PVector(0, 7))
+        PVector.angleBetween(PVector(1, 2, 3), PVector(4, 5, 6))
+        PVector.angleBetween(PVector(1, 2, 3), PVector(2, 4, 6))
+        PVector.angleBetween(PVector(1, 2, 3), PVector(-1, -2, -3))
+        PVector.angleBetween(PVector(0, 0), PVector(1, 2))
+        PVector.fromAngle(0)
+        PVector.fromAngle(1)
+        PVector.fromAngle(-HALF_PI)
+        PVector(1, 2, 3).array()
+        PVector(1, 2, 3).copy()
+        PVector().set(3, 4)
+        PVector(1, 2, 3).set(3, 4)
+        PVector().set(3, 4, 5)
+        PVector().set(PVector(7, 8, 9))
+        str(PVector(1, 2, 3))
+        str(PVector(0.5, -2.25, 1e10))
+    """.splitlines(),
+    "colors": """
+        hex(color(255, 102, 0))
+        hex(color(127.5))
+        hex(color(300, -5, 20.9))
+        hex(color(10, 20, 30, 40))
+        hex(color(51))
+        hex(color(51, 128))
+        hex(lerpColor(color(0), color(255), 0.5))
+        hex(lerpColor(color(204, 102, 0), color(0, 102, 153), 0.33))
+        hex(lerpColor(color(204, 102, 0), color(0, 102, 153), 0.66))
+        hex(lerpColor(color(10, 20, 30, 40), color(200, 100, 50, 255), 0.25))
+        hex(lerpColor(color(0), color(255), -1))
+        hex(lerpColor(color(0), color(255), 2))
+        red(color(204, 102, 0))
+        green(color(204, 102, 0))
+        blue(color(204, 102, 1))
+        alpha(color(204, 102, 0, 77))
+        hue(color(204, 102, 0))
+        saturation(color(204, 102, 0))
+        brightness(color(204, 102, 0))
+        hue(color(10, 200, 30))
+        saturation(color(10, 200, 30))
+        brightness(color(10, 200, 30))
+        hue(color(40, 50, 201))
+        saturation(color(40, 50, 201))
+        hue(color(200, 5, 150))
+        hue(color(128))
+        saturation(color(128))
+        brightness(color(128))
+        brightness(color(0))
+        saturation(color(0))
+        colorMode(HSB, 360, 100, 100); hex(color(30, 50, 80))
+        hex(color(0, 100, 100))
+        hex(color(59.5, 33.3, 66.6))
+        hex(color(200, 80, 90, 50))
+        hex(color(360, 100, 100))
+        hex(color(400, 120, 120))
+        hex(color(301, 12, 99))
+        hue(color(211, 57, 83))
+        saturation(color(211, 57, 83))
+        brightness(color(211, 57, 83))
+        hex(lerpColor(color(30, 50, 80), color(210, 90, 40), 0.4))
+        hex(lerpColor(color(350, 50, 80), color(10, 90, 40), 0.5))
+        colorMode(HSB, 1); hex(color(0.6, 0.5, 0.9))
+        hue(color(0.6, 0.5, 0.9))
+        colorMode(RGB, 1); hex(color(0.5))
+        hex(color(0.2, 0.4, 0.9))
+        hex(color(0.2, 0.4, 0.9, 0.3))
+        red(color(0.2, 0.4, 0.9))
+        alpha(color(0.2, 0.4, 0.9, 0.3))
+        colorMode(RGB, 100, 200, 50, 10); hex(color(30, 50, 20, 5))
+        green(color(30, 50, 20, 5))
+        hex(color(80))
+        colorMode(RGB, 255); hex(color(80))
+    """.splitlines(),
+    "curves": """
+        bezierPoint(85, 10, 90, 15, 0.3)
+        bezierPoint(0.1, 0.5, 0.7, 0.9, 0.77)
+        bezierTangent(85, 10, 90, 15, 0.3)
+        bezierTangent(0.1, 0.5, 0.7, 0.9, 0.77)
+        curvePoint(5, 73, 73, 15, 0.4)
+        curvePoint(5, 26, 73, 61, 0.6)
+        curveTangent(5, 26, 73, 24, 0.5)
+        curveTightness(0.5); curvePoint(5, 26, 73, 61, 0.6)
+        curveTightness(0); curvePoint(5, 26, 73, 61, 0.6)
+    """.splitlines(),
+    "matrices": """
+        m = PMatrix2D(); m.translate(10, 20); m.rotate(0.5); m.scale(2, 3); m.get([0.0] * 6)
+        m.determinant()
+        m.multX(3, 4)
+        m.multY(3, 4)
+        m.mult(PVector(3, 4), None)
+        m.invert()
+        m.get([0.0] * 6)
+        m.set(1, 2, 3, 4, 5, 6); m.apply(0.5, 0.1, 3, 0.2, 0.9, 7); m.get([0.0] * 6)
+        m.preApply(0.5, 0.1, 3, 0.2, 0.9, 7); m.get([0.0] * 6)
+        m.transpose(); m.get([0.0] * 6)
+        m.reset(); m.get([0.0] * 6)
+        s = PMatrix2D(); s.shearX(0.3); s.get([0.0] * 6)
+        n = PMatrix3D(); n.translate(1, 2, 3); n.rotateX(0.4); n.rotateY(0.5); n.get([0.0] * 16)
+        n.rotateZ(-0.6); n.scale(2, 3, 4); n.get([0.0] * 16)
+        n.determinant()
+        n.rotate(0.8, 1, 2, 3); n.get([0.0] * 16)
+        n.mult(PVector(3, 4, 5), None)
+        n.multX(3, 4, 5, 1)
+        n.multY(3, 4, 5, 1)
+        n.multZ(3, 4, 5, 1)
+        n.multW(3, 4, 5, 1)
+        n.invert()
+        n.get([0.0] * 16)
+        n.transpose(); n.get([0.0] * 16)
+        n.reset(); n.get([0.0] * 16)
+        n.set(1, 2, 3, 4, 0, 1, 2, 5, 3, 0, 1, 6, 0, 0, 0, 1); n.determinant()
+        n.apply(0.5, 0.1, 0.2, 3, 0.2, 0.9, 0.4, 7, 0.3, 0.2, 0.7, 1, 0, 0, 0, 1); n.get([0.0] * 16)
+    """.splitlines(),
+    "places in space": """
+        translate(10, 20); rotate(0.3); scale(1.5); screenX(3, 4)
+        screenY(3, 4)
+        resetMatrix(); screenX(3, 4)
+    """.splitlines(),
+}
