@@ -46,7 +46,7 @@ OURS = {
     "ceil(-1e10)": -(10**10),
     "str(PVector(0.5, -2.25, 1e10))": "[ 0.5, -2.25, 10000000000.0 ]",  # Java writes 1.0E10
     # Processing's matrix of a shear is none: one of its rows is 0.
-    "s = PMatrix2D(); s.shearX(0.3); s.get([0.0] * 6)": [1, math.tan(0.3), 0, 0, 1, 0],
+    "s = PMatrix2D(); s.shearX(0.3); s.get([0.0] * 6)": [1.0, math.tan(0.3), 0.0, 0.0, 1.0, 0.0],
 }
 
 
