@@ -12,6 +12,7 @@ from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.host import Host
 from sketchkit.core.clock import Clock
 from sketchkit.core.constants import JAVA2D
+from sketchkit.core.turns import Turns
 from sketchkit.draw.renderer import Reader
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
@@ -191,6 +192,7 @@ class SketchParts:
     _format: Format
     _host: Host
     _clock: Clock
+    _turns: Turns
     _publish: Callable[[], None]
 
     def _reformat(self) -> None:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Callable
 
 from sketchkit.api._sketch_parts import SketchParts
 from sketchkit.api.live import LiveFloat, live
 from sketchkit.core.clock import VirtualClock
 from sketchkit.core.errors import SketchError, nearest, shown, wrong_numbers
+from sketchkit.core.notices import warn_once
 
 
 class Looping(SketchParts):
@@ -104,14 +104,24 @@ class Looping(SketchParts):
         Parameters
         ----------
         napTime : float, milliseconds
-            How long. `sketchkit render` does not wait.
+            How long. `sketchkit render` does not wait: only `millis()` is later by so much.
+
+        See Also
+        --------
+        millis, frameRate, thread
 
         Examples
         --------
         >>> delay(500)
+        >>> millis() >= 500
+        True
         """
-        if not isinstance(self._clock, VirtualClock):
-            time.sleep(max(float(napTime), 0.0) / 1000)
+        try:
+            milliseconds = float(napTime)
+        except (TypeError, ValueError):
+            raise wrong_numbers("delay", (napTime,), "napTime") from None
+        if not self._turns.wait(milliseconds):
+            self._clock.wait(milliseconds)
 
     def thread(self, name: str | Callable[[], object]) -> None:
         """Run one of the sketch's functions beside the others, say to load something slowly.
@@ -126,6 +136,15 @@ class Looping(SketchParts):
         SketchError
             If there is no such function.
 
+        See Also
+        --------
+        delay, requestImage
+
+        Notes
+        -----
+        In `sketchkit render` it runs at once, until it ends or calls `delay()`, and goes on in the
+        frame in which that time is over: so every run gives the same pictures.
+
         Examples
         --------
         >>> def loadEverything():
@@ -133,7 +152,13 @@ class Looping(SketchParts):
         >>> thread("loadEverything")
         """
         function = self._function("thread", name)
-        threading.Thread(target=self._run_beside, args=(function,), daemon=True).start()
+        if not isinstance(self._clock, VirtualClock):
+            threading.Thread(target=self._run_beside, args=(function,), daemon=True).start()
+        elif not self._turns.start(lambda: self._run_beside(function)):
+            warn_once(
+                "The function of thread() has not come to its end: from here on pictures may "
+                "differ from run to run. delay() in its loop lets the others go on."
+            )
 
     def method(self, name: str) -> None:
         """Call one of the sketch's functions by its name.
@@ -169,6 +194,14 @@ class Looping(SketchParts):
             function()
         except Exception as failure:
             self.progress.failures.append(failure)
+
+    def go_on_beside(self) -> None:
+        """Let functions that `thread()` has started go on, whose `delay()` is over."""
+        self._turns.go_on()
+
+    def end_beside(self) -> None:
+        """End functions that `thread()` has started and that still wait."""
+        self._turns.end()
 
     def _set_frame_rate(self, fps: float) -> None:
         try:

@@ -18,6 +18,8 @@ class Randomness:
 
     _random: JavaRandom
     _noise: PerlinNoise
+    _first_seed: int
+    _has_own_seeds: dict[str, bool]
 
     @overload
     def random(self, high: float = 1.0, /) -> float: ...
@@ -143,6 +145,7 @@ class Randomness:
         True
         """
         self._random.seed(_whole("randomSeed", seed))
+        self._has_own_seeds["random"] = True
 
     def noise(self, x: float, y: float = 0.0, z: float = 0.0) -> float:
         """Return a number from 0 to 1 that varies smoothly from place to place.
@@ -216,6 +219,17 @@ class Randomness:
         True
         """
         self._noise.seed(_whole("noiseSeed", seed))
+        self._has_own_seeds["noise"] = True
+
+    def restart_chance(self) -> None:
+        """Begin anew with the random numbers and the noise that the sketch has not seeded itself.
+
+        So what the lines outside of all functions have used up does not count in `setup()`.
+        """
+        if not self._has_own_seeds["random"]:
+            self._random.seed(self._first_seed)
+        if not self._has_own_seeds["noise"]:
+            self._noise.seed(self._first_seed)
 
     def _choice(self, name: str, values: Sequence[T]) -> T:
         if not values:

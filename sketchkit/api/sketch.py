@@ -23,6 +23,7 @@ from sketchkit.assets.paths import set_sketch_folder
 from sketchkit.core.clock import Clock, VirtualClock
 from sketchkit.core.noise import PerlinNoise
 from sketchkit.core.rng import JavaRandom
+from sketchkit.core.turns import Turns
 
 
 class Sketch(
@@ -77,8 +78,11 @@ class Sketch(
         self._format = Format()
         self._host = host or NoWindow()
         self._clock = clock or VirtualClock()
+        self._turns = Turns(self._clock.millis)
         self._random = JavaRandom(seed)
         self._noise = PerlinNoise(seed)
+        self._first_seed = seed
+        self._has_own_seeds = {"random": False, "noise": False}
         self._publish = _nothing
         self._reformat()
 

@@ -30,21 +30,31 @@ class Clock(Protocol):
         """Return the local date and time."""
         ...
 
+    def wait(self, milliseconds: float) -> None:
+        """Let some time pass; none if the number is not above 0."""
+        ...
+
 
 class VirtualClock:
     """A clock that stands still during a frame, and always steps a 60th of a second.
 
     Whoever counts the frames sets `frame`. Frame 1 is at 0 milliseconds, and so is `setup()`,
-    before it; frame 2 is at 17, frame 3 at 33 (rounded, as measured). The date never moves.
+    before it; frame 2 is at 17, frame 3 at 33 (rounded, as measured). Waiting takes no time, but
+    all that comes after it is later by so much. The date never moves.
     """
 
     def __init__(self, date: datetime = RENDER_DATE) -> None:
         self.frame = 0
         self.date = date
+        self._waited_ms = 0.0
 
     def millis(self) -> int:
-        """Return the milliseconds from frame 1 to this frame."""
-        return milliseconds_of(self.frame)
+        """Return the milliseconds from frame 1 to this frame, with those that were waited."""
+        return milliseconds_of(self.frame) + round(self._waited_ms)
+
+    def wait(self, milliseconds: float) -> None:
+        """Put the clock forward."""
+        self._waited_ms += max(milliseconds, 0.0)
 
     def now(self) -> datetime:
         """Return the fixed date."""
@@ -60,6 +70,10 @@ class RealClock:
     def millis(self) -> int:
         """Return the milliseconds since the start."""
         return int((time.monotonic() - self._start_s) * 1000)
+
+    def wait(self, milliseconds: float) -> None:
+        """Sleep."""
+        time.sleep(max(milliseconds, 0.0) / 1000)
 
     def now(self) -> datetime:
         """Return the local date and time."""

@@ -123,7 +123,7 @@ def opened(
     )
     program = Program(source, sketch, launch.tell)
     with reporting(launch.path, program), program:
-        yield Loop(program)
+        yield Loop(program, restarts_chance=isinstance(clock, VirtualClock))
 
 
 class Steps:

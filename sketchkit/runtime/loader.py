@@ -95,6 +95,7 @@ class Program:
         restore.callback(sys.path.__setitem__, slice(None), list(sys.path))
         restore.callback(sys.modules.__setitem__, MODULE, sys.modules[MODULE])
         restore.callback(set_sketch_folder, sketch_folder())
+        restore.callback(self.sketch.end_beside)
         restore.callback(self._finder.forget)
         restore.callback(sys.meta_path.remove, self._finder)
         restore.callback(running.leave, self._running)

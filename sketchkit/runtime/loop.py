@@ -22,10 +22,17 @@ class Loop:
     ----------
     program : Program
         Entered by whoever made it.
+
+    Parameters
+    ----------
+    restarts_chance : bool
+        Whether random numbers begin anew in `setup()`. The pictures of Processing that ours are
+        compared with are made so; in a window nothing shall come twice.
     """
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, *, restarts_chance: bool = False) -> None:
         self.program = program
+        self._restarts_chance = restarts_chance
         self._sketch = program.sketch
         self._canvas = program.sketch.canvas
         self._progress = program.sketch.progress
@@ -56,11 +63,14 @@ class Loop:
             self._progress.phase = Phase.SETTINGS
             self.program.call("settings")
             self._progress.phase = Phase.SETUP
+            if self._restarts_chance:
+                self._sketch.restart_chance()
             self.program.call("setup")
         except SystemExit as call:
             self._leave(call)
         self._progress.phase = Phase.DRAW
         self._canvas.end_frame()
+        self._raise_failures()
 
     def post(self, event: AnyEvent) -> None:
         """Have an event handled after the next `draw()`, or at the next step if there is none."""
@@ -68,8 +78,7 @@ class Loop:
 
     def step(self) -> bool:
         """Draw a frame if one is due, and handle what has happened; tell whether there was any."""
-        if self._progress.failures:
-            raise self._progress.failures.pop(0)
+        self._raise_failures()
         is_drawing = self.is_drawing
         if not (is_drawing or self._events):
             return False
@@ -81,6 +90,7 @@ class Loop:
         except SystemExit as call:
             self._leave(call)
         self._canvas.end_frame()
+        self._raise_failures()
         return True
 
     def end(self) -> None:
@@ -88,6 +98,11 @@ class Loop:
         for name in LAST_CALLS:
             self.program.call(name)
         self._sketch.write_files()
+
+    def _raise_failures(self) -> None:
+        """Raise what has gone wrong in a function beside the others."""
+        if self._progress.failures:
+            raise self._progress.failures.pop(0)
 
     def _leave(self, call: SystemExit) -> None:
         """Do what `sys.exit()` asks for: as `exit()`, but at once, and perhaps with last words."""
@@ -100,6 +115,7 @@ class Loop:
         self._progress.frame_count += 1
         self._canvas.begin_frame(is_looping=self._progress.is_looping)
         pointer.previous_x, pointer.previous_y = pointer.drawn_x, pointer.drawn_y
+        self._sketch.go_on_beside()
         self.program.call("draw")
         pointer.drawn_x, pointer.drawn_y = pointer.x, pointer.y
         self._progress.is_redraw_due = False

@@ -274,3 +274,92 @@ def test_size_in_draw_is_refused(tmp_path: Path) -> None:
     text = mistake(written(tmp_path, "def draw():\n    size(100, 100)\n"))
 
     assert "line 2: size() belongs at the beginning of setup()" in text
+
+
+def test_delay_puts_the_time_of_a_render_forward(tmp_path: Path) -> None:
+    sketch = written(
+        tmp_path,
+        """
+        seen = []
+        def setup():
+            delay(250)
+        def draw():
+            delay(1000)
+            seen.append(millis())
+        """,
+    )
+
+    assert play(sketch, 2)["seen"] == [1250, 2250]
+
+
+def test_thread_of_a_render_goes_on_when_its_delay_is_over(tmp_path: Path) -> None:
+    sketch = written(
+        tmp_path,
+        """
+        seen = []
+        def tick():
+            while True:
+                seen.append(millis())
+                delay(400)
+        def setup():
+            thread("tick")
+        def draw():
+            delay(200)
+        """,
+    )
+
+    # Each of the six frames begins 200 ms later than the one before it, the first at 0.
+    assert play(sketch, 6)["seen"] == [0, 400, 800]
+
+
+def test_mistake_in_a_thread_stops_the_sketch_in_that_frame(tmp_path: Path) -> None:
+    sketch = written(
+        tmp_path,
+        """
+        def work():
+            delay(10)
+            nothing()
+        def setup():
+            thread("work")
+        def draw():
+            delay(10)
+        """,
+    )
+
+    assert "line 4: nothing is not defined" in mistake(sketch, 2)
+
+
+@pytest.mark.parametrize(("seed", "is_anew"), [("pass", True), ("randomSeed(5)", False)])
+def test_random_numbers_of_a_render_begin_anew_in_setup(
+    tmp_path: Path, seed: str, is_anew: bool
+) -> None:
+    sketch = written(
+        tmp_path,
+        f"""
+        {seed}
+        seen = [random(1)]
+        def setup():
+            seen.append(random(1))
+        def draw():
+            seen.append(random(1))
+        """,
+    )
+
+    at_top, in_setup, in_draw = play(sketch, 1)["seen"]
+    assert (at_top == in_setup) is is_anew
+    assert in_draw != in_setup
+
+
+def test_noise_of_a_render_begins_anew_in_setup_unless_seeded(tmp_path: Path) -> None:
+    sketch = written(
+        tmp_path,
+        """
+        noiseSeed(3)
+        seen = [noise(0.4)]
+        def setup():
+            seen.append(noise(0.4))
+        """,
+    )
+
+    seen = play(sketch)["seen"]
+    assert seen[0] == seen[1]
