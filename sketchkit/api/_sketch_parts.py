@@ -58,6 +58,14 @@ class Canvas(Protocol):
         """Put back matrix and lights."""
         ...
 
+    def translate(self, x: float, y: float, z: float = 0.0) -> None:
+        """Move the origin."""
+        ...
+
+    def scale(self, x: float, /) -> None:
+        """Make all that follows larger."""
+        ...
+
     def end_frame(self) -> None:
         """Draw everything recorded so far."""
         ...
@@ -116,6 +124,9 @@ class Progress:
     wanted_rate: float = 60.0
     measured_rate: float = 60.0
     failures: list[BaseException] = field(default_factory=list)  # of threads; raised in the loop
+    due_calls: list[Callable[[], object]] = field(
+        default_factory=list
+    )  # of dialogs that are closed
 
 
 @dataclass
@@ -126,6 +137,7 @@ class Format:
     height: int = 100
     renderer: str = JAVA2D
     smoothing: int = 2  # 0: one sample for each pixel; else SMOOTH_SAMPLES
+    ratio: tuple[int, int] | None = None  # the area of windowRatio()
 
 
 @dataclass

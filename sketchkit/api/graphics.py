@@ -13,6 +13,7 @@ from sketchkit.api.attribs import Attribs
 from sketchkit.api.camera import Camera
 from sketchkit.api.color import Color
 from sketchkit.api.curves import Curves
+from sketchkit.api.gl_access import GlAccess
 from sketchkit.api.lights import Lights
 from sketchkit.api.materials import Materials
 from sketchkit.api.pimage import PImage
@@ -46,6 +47,7 @@ class PGraphics(
     Shapes3D,
     Camera,
     Text,
+    GlAccess,
 ):
     """A surface to draw on: the window's is one, and `createGraphics()` makes others.
 

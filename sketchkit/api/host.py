@@ -5,7 +5,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Protocol
+
+from sketchkit.core.notices import warn_once
 
 
 class Host(Protocol):
@@ -54,9 +57,26 @@ class Host(Protocol):
         """Show the pointer as `ARROW`, `CROSS`, `HAND`, `MOVE`, `TEXT` or `WAIT`; None hides it."""
         ...
 
+    def open_link(self, url: str) -> None:
+        """Show a page in the browser."""
+        ...
+
+    def launch(self, arguments: Sequence[str]) -> None:
+        """Open a file with its program, or start a program."""
+        ...
+
+    def choose_file(
+        self, kind: str, prompt: str, start: str, then: Callable[[str | None], None]
+    ) -> None:
+        """Ask for a path of a kind, "input", "output" or "folder"; `then` gets it, or None."""
+        ...
+
 
 class NoWindow:
-    """A host that shows nothing: the screen is always the same, and what is set has no effect."""
+    """A host that shows nothing: the screen is always the same, and what is set has no effect.
+
+    What would leave the sketch does nothing either, and says so.
+    """
 
     display_size = (1920, 1080)
     position = (0, 0)
@@ -82,6 +102,23 @@ class NoWindow:
 
     def set_cursor(self, kind: int | None) -> None:
         """Do nothing."""
+
+    def open_link(self, url: str) -> None:
+        """Say that nothing is shown."""
+        warn_once("link() shows nothing where there is no window.")
+
+    def launch(self, arguments: Sequence[str]) -> None:
+        """Say that nothing is started."""
+        warn_once("launch() starts nothing where there is no window.")
+
+    def choose_file(
+        self, kind: str, prompt: str, start: str, then: Callable[[str | None], None]
+    ) -> None:
+        """Say that nobody is asked."""
+        warn_once(
+            f"select{kind.capitalize()}() asks nobody where there is no window: its function is "
+            "not called."
+        )
 
 
 class Resizes(Protocol):

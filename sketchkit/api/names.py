@@ -10,7 +10,8 @@ from collections.abc import Iterable, Mapping
 from types import ModuleType
 
 from sketchkit.api import conversions, maths, strings
-from sketchkit.api.events import KeyEvent, MouseEvent
+from sketchkit.api.events import Event, KeyEvent, MouseEvent
+from sketchkit.api.gl_access import PGL
 from sketchkit.api.host import PSurface
 from sketchkit.api.live import live_names
 from sketchkit.api.overlaps import opener, overlaps
@@ -24,8 +25,8 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.core import constants
 
 CLASSES: tuple[type, ...] = (
-    *(KeyEvent, MouseEvent, PFont, PImage, PMatrix2D, PMatrix3D, PShader, PShape, PSurface),
-    PVector,
+    *(Event, KeyEvent, MouseEvent, PFont, PGL, PImage, PMatrix2D, PMatrix3D, PShader, PShape),
+    *(PSurface, PVector),
 )
 
 Names = dict[str, object]

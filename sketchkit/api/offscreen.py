@@ -63,3 +63,12 @@ class Offscreen(SketchParts):
         recording = begin_recording(canvas, renderer, path)
         canvas.when_drawn(lambda: write_recording(recording, self.folder))
         return canvas
+
+    def getGraphics(self) -> Canvas:
+        """Return the canvas of the window: what `g` is.
+
+        Examples
+        --------
+        >>> getGraphics().circle(50, 50, 40)
+        """
+        return self.canvas

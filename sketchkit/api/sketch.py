@@ -10,14 +10,17 @@ from sketchkit.api._sketch_parts import Canvas, Format, Keyboard, Pointer, Progr
 from sketchkit.api.dates import Dates
 from sketchkit.api.environment import Environment
 from sketchkit.api.files import Files
+from sketchkit.api.folders import Folders
 from sketchkit.api.host import Host, NoWindow
 from sketchkit.api.input import Input
 from sketchkit.api.looping import Looping
 from sketchkit.api.offscreen import Offscreen
+from sketchkit.api.outside import Outside
 from sketchkit.api.pvector import use_random
 from sketchkit.api.randomness import Randomness
 from sketchkit.api.recording import Records
 from sketchkit.api.requests import Requests
+from sketchkit.api.window_ratio import WindowRatio
 from sketchkit.api.windows import Windows
 from sketchkit.assets.paths import set_sketch_folder
 from sketchkit.core.clock import Clock, VirtualClock
@@ -32,7 +35,10 @@ class Sketch(
     Looping,
     Input,
     Windows,
+    WindowRatio,
     Files,
+    Folders,
+    Outside,
     Requests,
     Records,
     Randomness,

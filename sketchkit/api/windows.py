@@ -165,6 +165,24 @@ class Windows(SketchParts):
         """
         return self._host.position[1]
 
+    def setSize(self, width: float, height: float) -> None:
+        """Give the window another size: an older name of `windowResize()`.
+
+        Examples
+        --------
+        >>> setSize(400, 300)
+        """
+        self.windowResize(width, height)
+
+    def getSurface(self) -> PSurface:
+        """Return the window as an object: what `surface` is.
+
+        Examples
+        --------
+        >>> getSurface().setTitle("Spinning")
+        """
+        return PSurface(self._host, self)
+
     @property
     def surface(self) -> PSurface:
         """The window as an object: `surface.setTitle("Spinning")`.

@@ -80,13 +80,17 @@ class Loop:
         """Draw a frame if one is due, and handle what has happened; tell whether there was any."""
         self._raise_failures()
         is_drawing = self.is_drawing
-        if not (is_drawing or self._events):
+        calls = self._progress.due_calls
+        if not (is_drawing or self._events or calls):
             return False
         try:
             if is_drawing:
                 self._draw()
             while self._events:
                 dispatch(self.program, self._events.popleft())
+            while calls:
+                self.program.publish()
+                calls.pop(0)()
         except SystemExit as call:
             self._leave(call)
         self._canvas.end_frame()
@@ -114,6 +118,7 @@ class Loop:
         pointer = self._sketch.pointer
         self._progress.frame_count += 1
         self._canvas.begin_frame(is_looping=self._progress.is_looping)
+        self._sketch.begin_ratio()
         pointer.previous_x, pointer.previous_y = pointer.drawn_x, pointer.drawn_y
         self._sketch.go_on_beside()
         self.program.call("draw")

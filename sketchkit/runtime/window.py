@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import Any
 
@@ -14,6 +14,7 @@ from sketchkit.backends.gl.context import NoContextError
 from sketchkit.backends.gl.executor import GlBackend
 from sketchkit.core.constants import ARROW, CROSS, HAND, MOVE, TEXT, WAIT
 from sketchkit.draw.resources import Target
+from sketchkit.runtime import desktop
 from sketchkit.runtime.events import AnyEvent, WindowEvent
 from sketchkit.runtime.headless import FIRST_SIZE
 from sketchkit.runtime.keys import Keys
@@ -177,6 +178,20 @@ class Window:
             if kind not in self._cursors:
                 self._cursors[kind] = glfw.create_standard_cursor(CURSORS[kind])
             glfw.set_cursor(self._window, self._cursors[kind])
+
+    def open_link(self, url: str) -> None:
+        """Show a page in the browser."""
+        desktop.open_link(url)
+
+    def launch(self, arguments: Sequence[str]) -> None:
+        """Open a file with its program, or start a program."""
+        desktop.launch(arguments)
+
+    def choose_file(
+        self, kind: str, prompt: str, start: str, then: Callable[[str | None], None]
+    ) -> None:
+        """Ask for a path while the sketch goes on."""
+        desktop.choose_file(kind, prompt, start, then)
 
     # Events
 

@@ -2,18 +2,13 @@
 
 import pytest
 
-from sketchkit.api.randomness import Randomness
 from sketchkit.core.errors import SketchError
-from sketchkit.core.noise import PerlinNoise
-from sketchkit.core.rng import JavaRandom
+from tests.api.sketches import new_sketch
 
 
 @pytest.fixture
 def chance():
-    group = Randomness()
-    group._random = JavaRandom(0)
-    group._noise = PerlinNoise(0)
-    return group
+    return new_sketch()
 
 
 def test_random_and_gaussian_follow_the_seed(chance):
@@ -62,3 +57,20 @@ def test_noise_detail_of_one_octave_is_at_most_a_half(chance):
 def test_text_is_no_number(chance, name):
     with pytest.raises(SketchError, match=rf"^{name}\(\) takes"):
         getattr(chance, name)("text")
+
+
+def test_choice_is_random_without_its_fraction(chance):
+    numbers = [chance.random(6), chance.random(-9, 9)]
+    chance.randomSeed(0)
+
+    assert [chance.choice(6), chance.choice(-9, 9)] == [int(number) for number in numbers]
+
+
+def test_choice_takes_one_of_a_list(chance):
+    assert chance.choice(["a", "b", "c", "d"]) == "c"  # random(4) is 2.9
+
+
+@pytest.mark.parametrize(("args", "words"), [(([],), "has something in it"), (("abc",), "choice")])
+def test_choice_of_nothing_is_told(chance, args, words):
+    with pytest.raises(SketchError, match=words):
+        chance.choice(*args)

@@ -363,3 +363,21 @@ def test_noise_of_a_render_begins_anew_in_setup_unless_seeded(tmp_path: Path) ->
 
     seen = play(sketch)["seen"]
     assert seen[0] == seen[1]
+
+
+def test_function_of_a_dialog_is_called_after_draw_with_live_values(tmp_path: Path) -> None:
+    sketch = written(
+        tmp_path,
+        """
+        log = []
+        def draw():
+            log.append("draw")
+        def chosen():
+            log.append(("chosen", frameCount))
+        """,
+    )
+    with begun(sketch) as loop:
+        loop.program.sketch.progress.due_calls.append(lambda: loop.program.namespace["chosen"]())
+        loop.step()
+
+        assert loop.program.namespace["log"] == ["draw", ("chosen", 1)]
