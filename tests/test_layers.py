@@ -26,12 +26,16 @@ class Rule:
 
 
 BELOW_API = ("core", "data", "geometry", "glsl", "imaging", "draw", "assets", "vector")
-EVERYTHING = (*BELOW_API, "tape", "api", "backends", "libraries", "runtime", "grading", "stubs")
+EVERYTHING = (
+    *BELOW_API,
+    *("tape", "api", "backends", "libraries", "reference", "runtime", "grading", "stubs"),
+)
 
 # The longest name that fits a module is the one that holds.
 RULES = {
     "core": Rule(theirs=("numpy",)),
     "data": Rule(theirs=("numpy",)),
+    "reference": Rule(),
     "geometry": Rule(("core",), ("numpy",)),
     "imaging": Rule(("core",), ("numpy",)),
     "glsl": Rule(("core",)),
@@ -51,7 +55,9 @@ RULES = {
     "vector": Rule(("core", "geometry", "draw", "assets"), ("numpy", "pydyf")),
     "api": Rule(BELOW_API, ("numpy",)),
     "libraries": Rule(("core", "geometry", "api"), ("numpy",)),
-    "runtime": Rule((*BELOW_API, "tape", "api", "backends"), ("numpy",), late=("watchfiles", "av")),
+    "runtime": Rule(
+        (*BELOW_API, "tape", "api", "backends", "reference"), ("numpy",), late=("watchfiles", "av")
+    ),
     "runtime.window": Rule((*BELOW_API, "api", "backends", "runtime"), ("numpy", "glfw")),
     "grading": Rule(
         (*EVERYTHING, "__init__"),

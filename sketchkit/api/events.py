@@ -21,6 +21,11 @@ class Event:
         The sum of `SHIFT`, `CTRL`, `META` and `ALT` for the keys held down.
     millis : int
         When it happened, as `millis()` counts.
+
+    Examples
+    --------
+    >>> def mousePressed(event):
+    ...     println(isinstance(event, Event))
     """
 
     SHIFT: ClassVar = 1
@@ -36,31 +41,73 @@ class Event:
     millis: int = 0
 
     def getAction(self) -> int:
-        """Return what happened, one of the constants of the class."""
+        """Return what happened, one of the constants of the class.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getAction())
+        """
         return self.action
 
     def getModifiers(self) -> int:
-        """Return which of Shift, Control, Meta and Alt were held, as a sum."""
+        """Return which of Shift, Control, Meta and Alt were held, as a sum.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getModifiers())
+        """
         return self.modifiers
 
     def getMillis(self) -> int:
-        """Return when it happened, in milliseconds since the sketch began."""
+        """Return when it happened, in milliseconds since the sketch began.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getMillis())
+        """
         return self.millis
 
     def isShiftDown(self) -> bool:
-        """Return whether Shift was held."""
+        """Return whether Shift was held.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.isShiftDown())
+        """
         return bool(self.modifiers & Event.SHIFT)
 
     def isControlDown(self) -> bool:
-        """Return whether Control was held."""
+        """Return whether Control was held.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.isControlDown())
+        """
         return bool(self.modifiers & Event.CTRL)
 
     def isMetaDown(self) -> bool:
-        """Return whether the Command or Windows key was held."""
+        """Return whether the Command or Windows key was held.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.isMetaDown())
+        """
         return bool(self.modifiers & Event.META)
 
     def isAltDown(self) -> bool:
-        """Return whether Alt was held."""
+        """Return whether Alt was held.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.isAltDown())
+        """
         return bool(self.modifiers & Event.ALT)
 
 
@@ -76,6 +123,11 @@ class MouseEvent(Event):
         `LEFT`, `CENTER`, `RIGHT`, or 0.
     count : int
         Clicks in a row; for the wheel, notches: positive downwards.
+
+    Examples
+    --------
+    >>> def mouseWheel(event):
+    ...     println(event.getCount())
     """
 
     PRESS: ClassVar = 1
@@ -93,31 +145,73 @@ class MouseEvent(Event):
     count: int = 0
 
     def getFlavor(self) -> int:
-        """Return `MouseEvent.MOUSE`."""
+        """Return `MouseEvent.MOUSE`.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getFlavor())
+        """
         return Event.MOUSE
 
     def getX(self) -> int:
-        """Return how far from the left the pointer was, in pixels."""
+        """Return how far from the left the pointer was, in pixels.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getX())
+        """
         return self.x
 
     def getY(self) -> int:
-        """Return how far from the top the pointer was, in pixels."""
+        """Return how far from the top the pointer was, in pixels.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getY())
+        """
         return self.y
 
     def getButton(self) -> int:
-        """Return `LEFT`, `CENTER`, `RIGHT`, or 0."""
+        """Return `LEFT`, `CENTER`, `RIGHT`, or 0.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getButton())
+        """
         return self.button
 
     def getCount(self) -> int:
-        """Return the clicks in a row, or the notches of the wheel (positive downwards)."""
+        """Return the clicks in a row, or the notches of the wheel (positive downwards).
+
+        Examples
+        --------
+        >>> def mouseWheel(event):
+        ...     println(event.getCount())
+        """
         return self.count
 
     def getClickCount(self) -> int:
-        """Return the clicks in a row; the older name of `getCount()`."""
+        """Return the clicks in a row; the older name of `getCount()`.
+
+        Examples
+        --------
+        >>> def mousePressed(event):
+        ...     println(event.getClickCount())
+        """
         return self.count
 
     def getAmount(self) -> float:
-        """Return the notches of the wheel; the older name of `getCount()`."""
+        """Return the notches of the wheel; the older name of `getCount()`.
+
+        Examples
+        --------
+        >>> def mouseWheel(event):
+        ...     println(event.getAmount())
+        """
         return float(self.count)
 
 
@@ -133,6 +227,11 @@ class KeyEvent(Event):
         Which key it is: `LEFT`, `SHIFT`, ..., or the capital letter's number.
     is_repeat : bool
         Whether it comes from holding the key.
+
+    Examples
+    --------
+    >>> def keyPressed(event):
+    ...     println(event.getKeyCode())
     """
 
     PRESS: ClassVar = 1
@@ -144,17 +243,41 @@ class KeyEvent(Event):
     is_repeat: bool = False
 
     def getFlavor(self) -> int:
-        """Return `KeyEvent.KEY`."""
+        """Return `KeyEvent.KEY`.
+
+        Examples
+        --------
+        >>> def keyPressed(event):
+        ...     println(event.getFlavor())
+        """
         return Event.KEY
 
     def getKey(self) -> str:
-        """Return the character, or `CODED`."""
+        """Return the character, or `CODED`.
+
+        Examples
+        --------
+        >>> def keyPressed(event):
+        ...     println(event.getKey())
+        """
         return self.key
 
     def getKeyCode(self) -> int:
-        """Return which key it is, as `keyCode`."""
+        """Return which key it is, as `keyCode`.
+
+        Examples
+        --------
+        >>> def keyPressed(event):
+        ...     println(event.getKeyCode())
+        """
         return self.keyCode
 
     def isAutoRepeat(self) -> bool:
-        """Return whether the event comes from holding the key."""
+        """Return whether the event comes from holding the key.
+
+        Examples
+        --------
+        >>> def keyPressed(event):
+        ...     println(event.isAutoRepeat())
+        """
         return self.is_repeat

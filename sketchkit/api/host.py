@@ -130,28 +130,59 @@ class Resizes(Protocol):
 
 
 class PSurface:
-    """The window, as `surface.setTitle("Spinning")`; also known as `frame`."""
+    """The window, as `surface.setTitle("Spinning")`; also known as `frame`.
+
+    Examples
+    --------
+    >>> isinstance(surface, PSurface)
+    True
+    """
 
     def __init__(self, host: Host, sketch: Resizes) -> None:
         self._host = host
         self._sketch = sketch
 
     def setTitle(self, title: str) -> None:
-        """Write a text on the window's edge."""
+        """Write a text on the window's edge.
+
+        Examples
+        --------
+        >>> surface.setTitle("Spinning")
+        """
         self._host.set_title(str(title))
 
     def setSize(self, width: float, height: float) -> None:
-        """Give the window another size."""
+        """Give the window another size.
+
+        Examples
+        --------
+        >>> surface.setSize(400, 300)
+        """
         self._sketch.windowResize(width, height)
 
     def setLocation(self, x: float, y: float) -> None:
-        """Move the window's left and top edge to a place on the screen."""
+        """Move the window's left and top edge to a place on the screen.
+
+        Examples
+        --------
+        >>> surface.setLocation(100, 80)
+        """
         self._host.set_position(int(x), int(y))
 
     def setResizable(self, resizable: bool) -> None:
-        """Let the user drag the window to another size, or not."""
+        """Let the user drag the window to another size, or not.
+
+        Examples
+        --------
+        >>> surface.setResizable(True)
+        """
         self._host.set_resizable(bool(resizable))
 
     def setVisible(self, visible: bool) -> None:
-        """Show the window, or hide it."""
+        """Show the window, or hide it.
+
+        Examples
+        --------
+        >>> surface.setVisible(True)
+        """
         self._host.set_visible(bool(visible))

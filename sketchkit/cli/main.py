@@ -23,6 +23,7 @@ COMMANDS = {
     "new": Entry("sketchkit.cli.new", "Make a folder for a new sketch."),
     "doctor": Entry("sketchkit.cli.doctor", "Say what works on this computer."),
     "grade": Entry("sketchkit.cli.grade", "Judge a class's sketches."),
+    "api": Entry("sketchkit.cli.api", "Say how a name is used, and what there is of Processing."),
     "trace": Entry("sketchkit.cli.trace", "Print what a frame draws, as text."),
     "diff": Entry("sketchkit.cli.diff", "Say whether two pictures are alike, and why not."),
 }

@@ -10,27 +10,9 @@ from collections.abc import Iterable, Iterator
 from types import ModuleType
 
 from sketchkit.core.errors import nearest
+from sketchkit.reference.instead import BY_ITSELF, MODULES, instead_of, instead_of_attribute
+from sketchkit.reference.names import names_by_owner
 from sketchkit.runtime.mistakes.mistake import Explanation, Mistake, a_kind
-
-# What other languages write, and what to write here.
-FOREIGN_WORDS = {
-    "true": "True",
-    "false": "False",
-    "null": "None",
-    "NULL": "None",
-    "undefined": "None",
-    "boolean": "bool",
-    "String": "str",
-    "ArrayList": "list",
-    "HashMap": "dict",
-    "Math": "sin(), cos(), sqrt(), without Math,",
-    "System": "println()",
-    "console": "println()",
-    "xrange": "range",
-    "raw_input": "input",
-    "unicode": "str",
-    "long": "int",
-}
 
 
 def explain_name(mistake: Mistake) -> Explanation | None:
@@ -38,9 +20,6 @@ def explain_name(mistake: Mistake) -> Explanation | None:
     name = getattr(mistake.error, "name", None)
     if not isinstance(name, str):
         return None
-    problem = f"{name} is not defined."
-    if name in FOREIGN_WORDS:
-        return Explanation(problem, f"Write {FOREIGN_WORDS[name]} in Python.")
     functions = _functions_that_set(name, mistake)
     if functions:
         function = functions[0]
@@ -50,6 +29,11 @@ def explain_name(mistake: Mistake) -> Explanation | None:
         )
     if later := _line_below(name, mistake):
         return Explanation(f"{name} is not defined yet: it gets its value in line {later}.")
+    problem = f"{name} is not defined."
+    if instead := instead_of(name):
+        return Explanation(problem, instead)
+    if name in names_by_owner()[BY_ITSELF]:
+        return Explanation(f"{name} is one of Processing's names that sketchkit has not.")
     return Explanation(problem, _suggestion(name, [*_visible(mistake.names), *mistake.own]))
 
 
@@ -89,31 +73,23 @@ def explain_attribute(mistake: Mistake) -> Explanation | None:
             f"{what} is None, and None has no {name}.",
             "Is the function that should have given a value without a return?",
         )
-    if name in FOREIGN_METHODS:
-        hint = f"Python writes {FOREIGN_METHODS[name]}."
-        return Explanation(f"{_the(owner)} has no {name}.", hint)
     problem = f"{_the(owner)} has no {name}."
+    if instead := instead_of_attribute(name, _owners(owner)):
+        return Explanation(problem, instead)
     written = mistake.written(getattr(mistake.expression, "value", None))
     if written in sys.stdlib_module_names and not isinstance(owner, ModuleType):
         return Explanation(problem, f"For Python's module write import {written} at the beginning.")
     return Explanation(problem, _suggestion(name, _visible(dir(owner))))
 
 
-# What Java writes behind a dot, and Python's way.
-FOREIGN_METHODS = {
-    "length": "len(...)",
-    "size": "len(...)",
-    "add": "values.append(item)",
-    "get": "values[i]",
-    "equals": "a == b",
-    "charAt": "text[i]",
-    "substring": "text[first:end]",
-    "indexOf": "values.index(item)",
-    "contains": "item in values",
-    "toString": "str(value)",
-    "has_key": "key in dictionary",
-    "iteritems": "dictionary.items()",
-}
+# What a class is called in Processing's table.
+IN_TABLE = {"Sketch": BY_ITSELF, "PMatrix2D": "PMatrix", "PMatrix3D": "PMatrix"}
+
+
+def _owners(owner: object) -> list[str]:
+    """Return the names of an object's classes in Processing's table, the nearest first."""
+    kinds = owner.__mro__ if isinstance(owner, type) else type(owner).__mro__
+    return [IN_TABLE.get(kind.__name__, kind.__name__) for kind in kinds]
 
 
 def explain_import(mistake: Mistake) -> Explanation | None:
@@ -121,9 +97,10 @@ def explain_import(mistake: Mistake) -> Explanation | None:
     name = getattr(mistake.error, "name", None)
     if isinstance(mistake.error, ModuleNotFoundError) and isinstance(name, str):
         known = _suggestion(name, [*sys.stdlib_module_names, "numpy"])
+        instead = instead_of(name.partition(".")[0], [MODULES])
         return Explanation(
             f"There is no module {name}: no {name}.py beside the sketch, and none installed.",
-            known or f"If it is a package: pip install {name}",
+            instead or known or f"If it is a package: pip install {name}",
         )
     found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", mistake.text)
     if not found:

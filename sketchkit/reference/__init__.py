@@ -1,0 +1,1 @@
+"""What Processing has: its names as data, and what to write for those that sketchkit has not."""
