@@ -114,9 +114,13 @@ class Sketch(
 
         def __getattr__(self, name: str) -> object:
             """Give `this.rect` as `rect`."""
-            if name.startswith("_"):
+            if name.startswith("_") or not hasattr(self.canvas, name):
                 raise AttributeError(name, name=name, obj=self)
             return getattr(self.canvas, name)
+
+    def __dir__(self) -> list[str]:
+        """Return its attributes, and the canvas's."""
+        return sorted({*super().__dir__(), *dir(self.canvas)})
 
 
 def _nothing() -> None:

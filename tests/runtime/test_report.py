@@ -118,6 +118,7 @@ def case(name: str, text: str, *parts: str) -> object:
         case("attribute of an image", "createImage(2, 2, RGB).isModified()", "updatePixels()"),
         case("attribute of a matrix", "PMatrix3D().n10", "Write m10 and m30."),
         case("attribute of the sketch", "this.sketchWidth()", "Write width."),
+        case("misspelt attribute of the sketch", "this.elipse(1, 2, 3, 4)", "Do you mean ellipse?"),
         case("call of OpenGL", "beginPGL().cullFace(1)", "PGL has no cullFace", "Leave it out"),
         case("constant of OpenGL", "PGL.DEPTH_TEST", "hint(DISABLE_DEPTH_TEST)"),
         case("attribute of None", "v = fill(3)\nv.x", "v is None, and None has no x."),

@@ -77,7 +77,8 @@ def explain_attribute(mistake: Mistake) -> Explanation | None:
     if instead := instead_of_attribute(name, _owners(owner)):
         return Explanation(problem, instead)
     written = mistake.written(getattr(mistake.expression, "value", None))
-    if written in sys.stdlib_module_names and not isinstance(owner, ModuleType):
+    is_module = written in sys.stdlib_module_names and written != "this"  # which is the sketch
+    if is_module and not isinstance(owner, ModuleType):
         return Explanation(problem, f"For Python's module write import {written} at the beginning.")
     return Explanation(problem, _suggestion(name, _visible(dir(owner))))
 
