@@ -18,6 +18,9 @@ class _Fit(NamedTuple):
     scale: float
 
 
+WHOLE = _Fit(0.0, 0.0, 1.0)  # what there is without windowRatio(): it is asked for in each frame
+
+
 class WindowRatio(SketchParts):
     """The area that `windowRatio()` asks for, and places in it."""
 
@@ -90,7 +93,8 @@ class WindowRatio(SketchParts):
         >>> circle(rmouseX, rmouseY, 20)
         """
         fit = self._fit()
-        return floor((self.pointer.x - fit.left) / fit.scale)
+        place = self.pointer.x
+        return place if fit is WHOLE else floor((place - fit.left) / fit.scale)
 
     @property
     @live
@@ -102,7 +106,8 @@ class WindowRatio(SketchParts):
         >>> circle(rmouseX, rmouseY, 20)
         """
         fit = self._fit()
-        return floor((self.pointer.y - fit.top) / fit.scale)
+        place = self.pointer.y
+        return place if fit is WHOLE else floor((place - fit.top) / fit.scale)
 
     @property
     @live
@@ -146,7 +151,7 @@ class WindowRatio(SketchParts):
 
     def _fit(self) -> _Fit:
         if not self._format.ratio:
-            return _Fit(0.0, 0.0, 1.0)
+            return WHOLE
         wide, high = self._format.ratio
         width, height = self.canvas.width, self.canvas.height
         scale = min(width / wide, height / high)
