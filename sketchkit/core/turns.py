@@ -7,6 +7,7 @@ ends or waits; then whoever started it goes on. It comes back when the time it w
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
 
 PATIENCE_S = 10.0  # how long a turn may take before nobody waits for its end any more
@@ -50,12 +51,16 @@ class _Runner:
         return self._has_stopped.wait(PATIENCE_S)
 
     def stop_until(self, due_ms: float) -> None:
-        """Hand over, from within the function, until the next turn."""
+        """Hand over, from within the function, until the next turn.
+
+        A function that is left and waits once more, since it catches everything, waits for ever.
+        """
         self.due_ms = due_ms
+        was_left = self.is_left
         self._may_run.clear()
         self._has_stopped.set()
         self._may_run.wait()
-        if self.is_left:
+        if self.is_left and not was_left:
             raise _Left
 
     def _run(self) -> None:
@@ -79,6 +84,7 @@ class Turns:
 
     def __init__(self, millis: Callable[[], int]) -> None:
         self._millis = millis
+        self._home = threading.current_thread()
         self._runners: list[_Runner] = []
 
     def start(self, function: Callable[[], object]) -> bool:
@@ -97,13 +103,16 @@ class Turns:
         Returns
         -------
         bool
-            Whether there was one to stop: not if it was none that was started here.
+            Whether it was stopped: not if all others hang on it, as it takes the turns.
         """
         for runner in self._runners:
             if runner.is_running_here():
                 runner.stop_until(runner.due_ms + max(milliseconds, 1.0))
                 return True
-        return False
+        if threading.current_thread() is self._home:
+            return False
+        time.sleep(max(milliseconds, 0.0) / 1000)  # a thread of the sketch's own
+        return True
 
     def go_on(self) -> None:
         """Give a turn to each function whose time has come, the earliest first."""

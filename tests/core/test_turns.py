@@ -73,8 +73,36 @@ def test_functions_take_turns_in_the_order_of_their_times(time):
     assert log == ["early", "late"]
 
 
-def test_waiting_elsewhere_is_nobodys_turn(time):
+def test_who_takes_the_turns_is_not_stopped(time):
     assert Turns(time.millis).wait(100) is False
+
+
+def test_thread_that_has_no_turns_really_waits(time, monkeypatch):
+    slept, together = [], Turns(time.millis)
+    monkeypatch.setattr(turns.time, "sleep", slept.append)
+    other = turns.threading.Thread(target=together.wait, args=(250,))
+
+    other.start()
+    other.join()
+
+    assert slept == [0.25]
+
+
+def test_function_that_catches_everything_ends_too(time):
+    rounds, together = [], Turns(time.millis)
+
+    def work():
+        while True:
+            try:
+                rounds.append(1)
+                together.wait(100)
+            except BaseException:  # as a bare except does
+                pass
+
+    together.start(work)
+    together.end()  # returns, and the function waits for ever
+
+    assert len(rounds) == 2
 
 
 def test_those_that_wait_end_without_going_on(time):
