@@ -128,6 +128,7 @@ def case(name: str, text: str, *parts: str) -> object:
         case("no name in module", "from math import sine", "no sine"),
         case("division", "n = 0\n1 / n", "divided by zero: n is 0 here"),
         case("conversion", "int('a')", "'a' is no whole number.", "parseInt(...) gives 0"),
+        case("conversion of a fraction", "int('3.9')", "parseInt(...) takes it, without its"),
         case("conversion to a fraction", "float('a')", "'a' is no number.", "parseFloat(...)"),
         case("unpacking", "a, b = 3", "several names before the =, but only one value"),
         case("not iterable", "for i in 10:\n    pass", "for i in range(10):"),

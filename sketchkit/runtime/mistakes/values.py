@@ -61,10 +61,12 @@ def explain_value(mistake: Mistake) -> Explanation | None:
     """Explain a value of the right kind that still does not do."""
     text = mistake.text
     if found := re.match(r"invalid literal for int\(\) with base \d+: (.*)", text):
-        hint = "parseInt(...) gives 0 for such a text, and no error."
+        is_fraction = re.fullmatch(r"'\s*[-+]?\d*\.\d*\s*'", found[1])
+        without_fraction = "parseInt(...) takes it, without its fraction."
+        hint = without_fraction if is_fraction else "parseInt(...) gives 0 here, and no error."
         return Explanation(f"{found[1]} is no whole number.", hint)
     if found := re.match(r"could not convert string to float: (.*)", text):
-        hint = "parseFloat(...) gives NaN for such a text, and no error."
+        hint = "parseFloat(...) gives NaN here, and no error."
         return Explanation(f"{found[1]} is no number.", hint)
     if found := re.match(r"not enough values to unpack \(expected (\d+), got (\d+)\)", text):
         return Explanation(f"There are {found[1]} names before the =, but only {found[2]} values.")
