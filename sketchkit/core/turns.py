@@ -7,8 +7,8 @@ ends or waits; then whoever started it goes on. It comes back when the time it w
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Callable
+from time import sleep
 
 PATIENCE_S = 10.0  # how long a turn may take before nobody waits for its end any more
 
@@ -111,7 +111,7 @@ class Turns:
                 return True
         if threading.current_thread() is self._home:
             return False
-        time.sleep(max(milliseconds, 0.0) / 1000)  # a thread of the sketch's own
+        sleep(max(milliseconds, 0.0) / 1000)  # a thread of the sketch's own
         return True
 
     def go_on(self) -> None:

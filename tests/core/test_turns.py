@@ -79,7 +79,7 @@ def test_who_takes_the_turns_is_not_stopped(time):
 
 def test_thread_that_has_no_turns_really_waits(time, monkeypatch):
     slept, together = [], Turns(time.millis)
-    monkeypatch.setattr(turns.time, "sleep", slept.append)
+    monkeypatch.setattr(turns, "sleep", slept.append)
     other = turns.threading.Thread(target=together.wait, args=(250,))
 
     other.start()
