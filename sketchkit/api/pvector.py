@@ -7,24 +7,15 @@ vector and leaves `a` alone. The second is found on the metaclass, so that the f
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator, MutableSequence, Sequence
 from math import cos, sin, sqrt, tau
 from typing import Any, Self, overload
 
+from sketchkit.api.chance import chance
 from sketchkit.api.pvector_arithmetic import VectorArithmetic
 from sketchkit.api.pvector_measures import Point, wrong_vector
 from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.float32 import f32
-from sketchkit.core.rng import JavaRandom
-
-_random = JavaRandom(time.time_ns())
-
-
-def use_random(random: JavaRandom) -> None:
-    """Let `random2D()` and `random3D()` draw from the sketch's own numbers, which it can seed."""
-    global _random
-    _random = random
 
 
 class _TwoForms(type):
@@ -204,7 +195,7 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
         1.0
         """
         return PVector.fromAngle(
-            _random.below(tau), target if isinstance(target, PVector) else None
+            chance().below(tau), target if isinstance(target, PVector) else None
         )
 
     @staticmethod
@@ -221,8 +212,8 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
         >>> round(PVector.random3D().mag(), 6)
         1.0
         """
-        angle = _random.below(tau)
-        z = _random.between(-1, 1)
+        angle = chance().below(tau)
+        z = chance().between(-1, 1)
         radius = sqrt(f32(1 - f32(z * z)))  # rounded where Java does it: the digits are the same
         result = target if isinstance(target, PVector) else PVector()
         return result.set(f32(radius * cos(angle)), f32(radius * sin(angle)), z)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sketchkit.api._sketch_parts import Canvas, Format, Keyboard, Pointer, Progress
+from sketchkit.api.chance import use_random
 from sketchkit.api.dates import Dates
 from sketchkit.api.environment import Environment
 from sketchkit.api.files import Files
@@ -16,12 +17,12 @@ from sketchkit.api.input import Input
 from sketchkit.api.looping import Looping
 from sketchkit.api.offscreen import Offscreen
 from sketchkit.api.outside import Outside
-from sketchkit.api.pvector import use_random
 from sketchkit.api.randomness import Randomness
 from sketchkit.api.recording import Records
 from sketchkit.api.requests import Requests
 from sketchkit.api.window_ratio import WindowRatio
 from sketchkit.api.windows import Windows
+from sketchkit.assets.network import allow_network
 from sketchkit.assets.paths import set_sketch_folder
 from sketchkit.core.clock import Clock, VirtualClock
 from sketchkit.core.noise import PerlinNoise
@@ -105,8 +106,10 @@ class Sketch(
     def take_over(self) -> None:
         """Be the one whose files are found and whose `randomSeed()` rules `PVector.random2D()`.
 
-        Images and vectors belong to no sketch, but there is one at a time.
+        Images, vectors and lists belong to no sketch, but there is one at a time. Where time is
+        virtual every run must give the same, and nothing is read from the internet.
         """
+        allow_network(not isinstance(self._clock, VirtualClock))
         use_random(self._random)
         set_sketch_folder(self.folder)
 

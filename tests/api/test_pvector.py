@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sketchkit.api.pvector import PVector, use_random
+from sketchkit.api.chance import use_random
+from sketchkit.api.pvector import PVector
 from sketchkit.core.errors import SketchError
 from sketchkit.core.rng import JavaRandom
 

@@ -1,0 +1,1 @@
+"""StringDict, IntDict, FloatDict and their larger sisters."""

@@ -1,0 +1,1 @@
+"""JSONObject and JSONArray."""

@@ -1,0 +1,1 @@
+"""StringList, IntList, FloatList and their larger sisters."""
