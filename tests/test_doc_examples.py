@@ -71,6 +71,9 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "example.py").touch()
     (tmp_path / "data").mkdir()
     (tmp_path / "data" / "poem.txt").write_text("A rose\nis a rose\n", encoding="utf-8")
+    (tmp_path / "data" / "ages.csv").write_text("name,age\nIda,12\nBen,9\n")
+    (tmp_path / "data" / "lion.json").write_text('{"species": "Panthera leo", "id": 1}')
+    (tmp_path / "data" / "zoo.xml").write_text('<zoo><animal id="1">Lion</animal></zoo>')
     (tmp_path / "data" / "house.svg").write_text(
         '<svg width="80" height="80"><rect x="9" y="30" width="60" height="50"/></svg>'
     )

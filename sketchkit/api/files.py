@@ -7,43 +7,46 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from sketchkit.api._sketch_parts import SketchParts
+from sketchkit.api.data.saving import save_text
+from sketchkit.api.data.sources import read_text
+from sketchkit.api.data.streams import BufferedReader
 from sketchkit.assets.output import picture_bytes, write_file
-from sketchkit.assets.paths import find_file
-from sketchkit.core.errors import SketchError
+from sketchkit.data.text_files import lines_of
 
 
 class Files(SketchParts):
     """`loadStrings()`, `saveFrame()` and the like. Names without a folder mean the sketch's own."""
 
-    def loadStrings(self, filename: str) -> list[str]:
+    def loadStrings(self, filename: str | BufferedReader) -> list[str]:
         """Read a text file, as a list of its lines.
 
         Parameters
         ----------
         filename : str
-            Looked for in the sketch's `data` folder, then beside the sketch.
+            Looked for in the sketch's `data` folder, then beside the sketch. Also an address,
+            "https://...", where a window is shown.
 
         Raises
         ------
         SketchError
-            If there is no such file, or it is not text in UTF-8.
+            If there is no such file, or no network.
 
         See Also
         --------
-        saveStrings
+        saveStrings, createReader, loadTable
+
+        Notes
+        -----
+        What is not UTF-8 is read as Latin-1, and remarked on.
 
         Examples
         --------
         >>> for line in loadStrings("poem.txt"):
         ...     println(line)
         """
-        path = find_file("loadStrings", filename)
-        try:
-            return path.read_text(encoding="utf-8-sig").splitlines()
-        except UnicodeDecodeError:
-            raise SketchError(
-                f"{filename} is no text in UTF-8.", hint="Save it as UTF-8 in your editor."
-            ) from None
+        if isinstance(filename, BufferedReader):
+            return list(filename)
+        return lines_of(read_text("loadStrings", filename))
 
     def saveStrings(self, filename: str, data: Iterable[object]) -> None:
         """Write a text file, one line for each item of a list.
@@ -63,8 +66,8 @@ class Files(SketchParts):
         --------
         >>> saveStrings("scores.txt", ["anna 12", "ben 9"])
         """
-        lines = [f"{item}\n" for item in data]
-        write_file(Path(self.sketchPath(filename)), "".join(lines).encode())
+        lines = [data] if isinstance(data, str) else data
+        save_text("saveStrings", filename, "".join(f"{line}\n" for line in lines))
 
     def sketchPath(self, where: str = "") -> str:
         """Return the sketch's folder, or the full path of a file in it.

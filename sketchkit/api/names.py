@@ -9,7 +9,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from types import ModuleType
 
-from sketchkit.api import conversions, maths, strings
+from sketchkit.api import arrays, conversions, maths, strings
+from sketchkit.api.data.dicts.float_dict import DoubleDict, FloatDict
+from sketchkit.api.data.dicts.int_dict import IntDict, LongDict
+from sketchkit.api.data.dicts.string_dict import StringDict
+from sketchkit.api.data.json.json_array import JSONArray
+from sketchkit.api.data.json.json_object import JSONObject
+from sketchkit.api.data.lists.float_list import DoubleList, FloatList
+from sketchkit.api.data.lists.int_list import IntList, LongList
+from sketchkit.api.data.lists.string_list import StringList
+from sketchkit.api.data.streams import BufferedReader, PrintWriter
+from sketchkit.api.data.tables.table import Table
+from sketchkit.api.data.tables.table_row import TableRow
+from sketchkit.api.data.xml.xml import XML
 from sketchkit.api.events import Event, KeyEvent, MouseEvent
 from sketchkit.api.gl_access import PGL
 from sketchkit.api.host import PSurface
@@ -27,6 +39,9 @@ from sketchkit.core import constants
 CLASSES: tuple[type, ...] = (
     *(Event, KeyEvent, MouseEvent, PFont, PGL, PImage, PMatrix2D, PMatrix3D, PShader, PShape),
     *(PSurface, PVector),
+    *(StringList, IntList, LongList, FloatList, DoubleList),
+    *(StringDict, IntDict, LongDict, FloatDict, DoubleDict),
+    *(Table, TableRow, JSONObject, JSONArray, XML, BufferedReader, PrintWriter),
 )
 
 Names = dict[str, object]
@@ -57,6 +72,7 @@ def groups_of(sketch: Sketch) -> dict[str, Names]:
         "maths": _exported(maths),
         "strings": _exported(strings),
         "conversions": _exported(conversions),
+        "arrays": _exported(arrays),
         "constants": {n: v for n, v in vars(constants).items() if n.isupper()},
         "classes": {kind.__name__: kind for kind in (*CLASSES, type(canvas))},
     }

@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sketchkit.api._sketch_parts import Canvas, Format, Keyboard, Pointer, Progress
+from sketchkit.api.byte_files import ByteFiles
 from sketchkit.api.chance import use_random
+from sketchkit.api.data_files import DataFiles
 from sketchkit.api.dates import Dates
 from sketchkit.api.environment import Environment
 from sketchkit.api.files import Files
@@ -40,6 +42,8 @@ class Sketch(
     Files,
     Folders,
     Outside,
+    ByteFiles,
+    DataFiles,
     Requests,
     Records,
     Randomness,

@@ -6,7 +6,7 @@ The work is done in `data/strings.py`; here errors are told to the sketch.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar, overload
 
 from sketchkit.api.strings_numbers import (
@@ -244,7 +244,7 @@ def printArray(what: object) -> None:
     [0] "a"
     [1] 2.5
     """
-    if isinstance(what, str) or not isinstance(what, Iterable):
+    if isinstance(what, str | Mapping) or not isinstance(what, Iterable):
         print(what)
         return
     for place, value in enumerate(what):

@@ -48,7 +48,7 @@ def test_live_values_are_not_among_the_lasting_names() -> None:
     "name",
     [
         name
-        for group in ("canvas", "sketch", "maths", "strings", "conversions", "overlaps")
+        for group in ("canvas", "sketch", "maths", "strings", "conversions", "arrays", "overlaps")
         for name in groups_of(new_sketch())[group]
     ],
 )

@@ -1,4 +1,4 @@
-"""What JSONObject and JSONArray have in common: values of six kinds, the two of them among these."""
+"""What JSONObject and JSONArray share: values of six kinds, the two of them among these."""
 
 from __future__ import annotations
 
