@@ -35,7 +35,7 @@ def read_int(text: str) -> int | None:
     (7, -3, None, None)
     """
     number = read_whole(text.partition(".")[0])
-    return number if number in INT_RANGE else None
+    return number if number is not None and number in INT_RANGE else None
 
 
 def read_float(text: str) -> float | None:

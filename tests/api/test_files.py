@@ -9,6 +9,7 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.backends.cpu.executor import CpuBackend
 from sketchkit.core.constants import P2D
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from tests.api.sketches import new_sketch
 from tests.canvases import new_canvas
 
@@ -35,11 +36,11 @@ def test_data_folder_comes_first(tmp_path: Path) -> None:
     assert sketch_in(tmp_path).loadStrings("a.txt") == ["data", "folder"]
 
 
-def test_file_that_is_no_text_is_told(tmp_path: Path) -> None:
-    (tmp_path / "a.txt").write_bytes(b"\xff\xfe\x00")
+def test_text_in_latin_1_is_read_and_remarked_on(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_bytes("K\u00f6ln\r\nBonn".encode("latin-1"))
 
-    with pytest.raises(SketchError, match="UTF-8"):
-        sketch_in(tmp_path).loadStrings("a.txt")
+    with pytest.warns(SketchWarning, match="a.txt is no text in UTF-8"):
+        assert sketch_in(tmp_path).loadStrings("a.txt") == ["K\u00f6ln", "Bonn"]
 
 
 def test_paths_are_the_sketchs(tmp_path: Path) -> None:

@@ -61,6 +61,9 @@ class FloatDict(NumberDict[float]):
         """Return what part of the sum each number is, from 0 to 1."""
         return FloatDict(self.keys(), parts_of(self.values()))
 
+    def _at(self, name: str, place: int) -> float:
+        return nan if place < 0 else self.value(place)
+
     def _sort(self, *, by_key: bool, is_reversed: bool) -> None:
         super()._sort(by_key=by_key, is_reversed=is_reversed)
         if not by_key:  # what is no number (NaN) comes last in either direction

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from sketchkit.api.data.dicts.value_dict import ValueDict
+from sketchkit.api.data.faults import no_place
 
 N = TypeVar("N", int, float)
 
@@ -65,11 +66,11 @@ class NumberDict(ValueDict[N]):
 
     def minValue(self) -> N:
         """Return the smallest number."""
-        return self.value(self.minIndex())
+        return self._at("minValue", self.minIndex())
 
     def maxValue(self) -> N:
         """Return the largest number."""
-        return self.value(self.maxIndex())
+        return self._at("maxValue", self.maxIndex())
 
     def sum(self) -> N:
         """Return all numbers added up."""
@@ -77,6 +78,11 @@ class NumberDict(ValueDict[N]):
 
     def _rank(self, value: N) -> N:
         return value
+
+    def _at(self, name: str, place: int) -> N:
+        if place < 0:
+            raise no_place(name, "", (), "number")
+        return self.value(place)
 
     def _extreme(self, choose: Callable[..., int]) -> int:
         values = self.values()

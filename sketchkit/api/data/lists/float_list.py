@@ -51,6 +51,10 @@ class FloatList(NumberList[float]):
     def _quotient(self, value: float, amount: float) -> float:
         return quotient(value, amount)
 
+    def sum(self) -> float:
+        """Return all numbers added up."""
+        return sum(self._values, 0.0)
+
     def sumDouble(self) -> float:
         """Return all numbers added up."""
         return self.sum()
