@@ -150,7 +150,7 @@ class _Reader:
                 case mark:
                     self._place += 1
                     if mark == quote:
-                        return "".join(pieces)
+                        return _whole_marks("".join(pieces))
                     pieces.append(mark)
 
     def _escaped(self) -> str:
@@ -199,3 +199,8 @@ class _Reader:
 
     def _error(self, problem: str, place: int | None = None) -> MalformedError:
         return malformed_at(self._text, self._place if place is None else place, problem)
+
+
+def _whole_marks(text: str) -> str:
+    r"""Return a text in which the two halves of a mark, as \ud83d\ude00 has them, are one."""
+    return text.encode("utf-16", "surrogatepass").decode("utf-16", "surrogatepass")

@@ -75,7 +75,7 @@ class _Builder(Generic[N]):
             self._parser.Parse(source, True)
         except expat.ExpatError as error:
             raise MalformedError(self._problem(error), error.lineno, error.offset + 1) from None
-        except ValueError as error:  # an encoding that Python does not know
+        except (ValueError, LookupError) as error:  # an encoding that Python does not know
             if isinstance(error, MalformedError):
                 raise
             raise self._error(f"It is in an encoding that cannot be read ({error})") from None

@@ -96,7 +96,7 @@ def _head(node: Node, more: dict[str, str] | None) -> str:
     attributes = {**(more or {}), **node.attributes}
     return node.name + "".join(
         f' {name}="{"".join(_ATTRIBUTE_MARKS.get(mark, mark) for mark in attributes[name])}"'
-        for name in sorted(attributes)
+        for name in sorted(attributes, key=lambda name: (not name.startswith("xmlns"), name))
     )
 
 

@@ -75,7 +75,7 @@ def test_encoding_is_the_one_that_the_document_names() -> None:
 def test_namespaces_stay_with_an_element_written_alone() -> None:
     root = read_xml("<a xmlns:x='u'><x:b x:c='1'/></a>", Node)
 
-    assert write_xml(root.children[0], COMPACT) == '<x:b x:c="1" xmlns:x="u"/>'
+    assert write_xml(root.children[0], COMPACT) == '<x:b xmlns:x="u" x:c="1"/>'
 
 
 @pytest.mark.parametrize(
