@@ -84,7 +84,7 @@ def test_what_is_no_byte_is_told(sketch: Sketch, data: object) -> None:
 def test_folder_in_the_way_is_told(sketch: Sketch, tmp_path: Path) -> None:
     (tmp_path / "a.txt").mkdir()
 
-    with pytest.raises(SketchError, match="a.txt cannot be written"):
+    with pytest.raises(SketchError, match=r"a\.txt cannot be written"):
         sketch.saveStrings("a.txt", ["x"])
 
 
