@@ -11,7 +11,7 @@ import json
 import re
 from typing import NoReturn
 
-from sketchkit.data.java_numbers import read_float
+from sketchkit.data.java_numbers import read_float, read_whole
 from sketchkit.data.malformed import MalformedError, malformed_at
 
 Plain = dict[str, "Plain"] | list["Plain"] | str | int | float | bool | None
@@ -175,8 +175,8 @@ class _Reader:
         words: dict[str, Plain] = {"true": True, "false": False, "null": None}
         if text.lower() in words:
             return words[text.lower()]
-        if re.fullmatch(r"[+-]?[0-9]+", text):
-            return int(text)
+        if (whole := read_whole(text)) is not None:
+            return whole
         number = read_float(text) if text[0] in "+-.0123456789" else None
         return text if number is None or number - number != 0 else number
 

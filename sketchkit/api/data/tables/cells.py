@@ -6,7 +6,7 @@ from sketchkit.api.data.faults import fraction, whole, wrong_kind
 from sketchkit.api.data.tables.parts import Place, TableParts
 from sketchkit.core.errors import SketchError
 from sketchkit.data.columns import WHOLE, Column, ColumnKind
-from sketchkit.data.java_numbers import float_text
+from sketchkit.data.java_numbers import double_text, float_text
 
 
 class Cells(TableParts):
@@ -134,7 +134,7 @@ class Cells(TableParts):
         number = fraction(name, value, place=column)
         cells, place = self._settable(name, row, column)
         if cells.kind is ColumnKind.STRING:
-            cells.cells[place] = float_text(number) if name == "setFloat" else repr(number)
+            cells.cells[place] = float_text(number) if name == "setFloat" else double_text(number)
         elif cells.kind in (ColumnKind.FLOAT, ColumnKind.DOUBLE):
             cells.cells[place] = number
         else:
