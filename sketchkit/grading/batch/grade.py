@@ -75,8 +75,8 @@ def grade(batch: Batch, references: References, judged: Judged) -> ClassResult:
     title = setting.assignment.title
     for task, result in batch.executor.judge_all(waiting):
         results[task.submission.slug] = result
-        _keep(task, references, result)
         write_student(result, title, record, setting.workplace.folder)
+        _keep(task, references, result)  # last: it stands for all of it
         judged(result)
     whole = ClassResult(title, tuple(results[task.submission.slug] for task in tasks), record)
     write_class(whole, setting.workplace.folder)
@@ -145,13 +145,8 @@ def _kept(task: Task, references: References) -> StudentResult | None:
     """Return the result that an earlier batch has written, if it would be the same today."""
     try:
         content = json.loads(_file(task).read_bytes())
-        if content["key"] != _key(task, references) or not _report(task).is_file():
+        if content["key"] != _key(task, references):
             return None
         return from_json(StudentResult, content["result"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
-
-
-def _report(task: Task) -> Path:
-    folder: Path = task.setting.workplace.folder
-    return folder / "students" / task.submission.slug / "report.html"
