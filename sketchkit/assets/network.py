@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import re
-from urllib.error import URLError
-from urllib.parse import urlsplit
-from urllib.request import Request, urlopen
 
 from sketchkit.core.errors import SketchError, shown
 
@@ -46,6 +43,10 @@ def fetch(caller: str, address: str) -> bytes:
             got=got,
             hint="Download the file into the sketch's data folder.",
         )
+    from urllib.error import URLError  # 50 ms to import, and most sketches never ask
+    from urllib.parse import urlsplit
+    from urllib.request import Request, urlopen
+
     try:
         request = Request(address, headers={"User-Agent": "sketchkit"})
         with urlopen(request, timeout=PATIENCE) as answer:

@@ -36,6 +36,7 @@ REDRAW = "sketchkit.grading.inside.redraw"
 LARGEST_SIDE = 8192  # px of a picture
 ASIDE = frozenset({"forget", "remark"})  # messages that say nothing of what is drawn
 MOST_REMARKS = 50
+MOST_FOUND = 8 << 20  # bytes of text at once: names in it are the submission's
 
 
 @dataclass(frozen=True)
@@ -191,7 +192,7 @@ def _redraw(request: Request, tape: Path, out: Path, level: Level) -> tuple[Foun
     ending = run(Job(REDRAW, (written(order),), readable, out, limits=request.limits), level)
     found = Found()
     with out.open("rb") as file:
-        for message in read_messages(file):
+        for message in read_messages(file, MOST_FOUND):
             _take(found, message)
     out.unlink()
     return found, ending

@@ -42,8 +42,14 @@ class Message:
         return _SIZES.pack(len(head), len(self.body)) + head + self.body
 
 
-def read_messages(file: BinaryIO) -> Iterator[Message]:
+def read_messages(file: BinaryIO, most_head: int = MOST_HEAD) -> Iterator[Message]:
     """Yield the messages of a tape; one that was cut off at the end is left out.
+
+    Parameters
+    ----------
+    file : binary file
+    most_head : int, bytes
+        What the JSON of one message may be long.
 
     Raises
     ------
@@ -52,7 +58,7 @@ def read_messages(file: BinaryIO) -> Iterator[Message]:
     """
     while len(sizes := file.read(_SIZES.size)) == _SIZES.size:
         head_size, body_size = _SIZES.unpack(sizes)
-        if head_size > MOST_HEAD or body_size > MOST_BODY:
+        if head_size > most_head or body_size > MOST_BODY:
             raise TapeError("The recording has a part of impossible size.")
         head, body = file.read(head_size), file.read(body_size)
         if len(head) < head_size or len(body) < body_size:

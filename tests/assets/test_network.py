@@ -18,7 +18,7 @@ def allowed() -> Iterator[None]:
 
 
 def test_answer_is_returned(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(network, "urlopen", lambda request, timeout: io.BytesIO(b"hello"))
+    monkeypatch.setattr("urllib.request.urlopen", lambda request, timeout: io.BytesIO(b"hello"))
 
     assert network.fetch("loadStrings", "https://example.org/a.txt") == b"hello"
 
@@ -27,7 +27,7 @@ def test_no_answer_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def fail(request: object, timeout: float) -> None:
         raise URLError("no route")
 
-    monkeypatch.setattr(network, "urlopen", fail)
+    monkeypatch.setattr("urllib.request.urlopen", fail)
 
     with pytest.raises(
         SketchError, match=r"loadStrings\(\) got nothing from example.org: no route"
