@@ -6,6 +6,7 @@ and that is drawn here, by another process.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import io
 from collections.abc import Iterator, Mapping
@@ -191,7 +192,7 @@ def _redraw(request: Request, tape: Path, out: Path, level: Level) -> tuple[Foun
     readable = {TAPE: tape, SUBMISSION: request.folder}
     ending = run(Job(REDRAW, (written(order),), readable, out, limits=request.limits), level)
     found = Found()
-    with out.open("rb") as file:
+    with out.open("rb") as file, contextlib.suppress(TapeError):  # then nothing was told
         for message in read_messages(file, MOST_FOUND):
             _take(found, message)
     out.unlink()
