@@ -15,7 +15,7 @@ packages=(
     bubblewrap                                           # the wall around what is graded
 )
 spare=(libosmesa6) # OpenGL where EGL fails; Debian 13 no longer has it
-extras="[grade]"
+extras="[grade,pde]"
 if [ "${1:-}" = --dev ]; then
     packages+=(xvfb xauth xdotool chromium) # a display, a hand and a browser, for the tests of windows and pages
     extras="[dev]"

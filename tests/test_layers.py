@@ -25,7 +25,7 @@ class Rule:
     late: tuple[str, ...] = ()
 
 
-BELOW_API = ("core", "data", "geometry", "glsl", "imaging", "draw", "assets", "vector")
+BELOW_API = ("core", "data", "pymode", "geometry", "glsl", "imaging", "draw", "assets", "vector")
 EVERYTHING = (
     *BELOW_API,
     *("tape", "api", "backends", "libraries", "reference", "runtime", "grading", "stubs"),
@@ -39,6 +39,7 @@ RULES = {
     "geometry": Rule(("core",), ("numpy",)),
     "imaging": Rule(("core",), ("numpy",)),
     "glsl": Rule(("core",)),
+    "pymode": Rule(("core",), ("fissix",)),
     "draw": Rule(("core", "geometry"), ("numpy",)),
     "backends": Rule(),
     "backends.listing": Rule(("core", "geometry", "draw"), ("numpy",)),
@@ -56,15 +57,19 @@ RULES = {
     "api": Rule(BELOW_API, ("numpy",)),
     "libraries": Rule(("core", "geometry", "api"), ("numpy",)),
     "runtime": Rule(
-        (*BELOW_API, "tape", "api", "backends", "reference"), ("numpy",), late=("watchfiles", "av")
+        (*BELOW_API, "tape", "api", "libraries", "backends", "reference"),
+        ("numpy",),
+        late=("watchfiles", "av"),
     ),
-    "runtime.window": Rule((*BELOW_API, "api", "backends", "runtime"), ("numpy", "glfw")),
+    "runtime.window": Rule(
+        (*BELOW_API, "api", "libraries", "backends", "runtime"), ("numpy", "glfw")
+    ),
     "grading": Rule(
         (*EVERYTHING, "__init__"),
         ("numpy", "PIL", "scipy"),
         late=("jinja2", "markupsafe", "distributed"),
     ),
-    "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL"), late=("fissix",)),
+    "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL")),
     "stubs": Rule(EVERYTHING),
     "__init__": Rule(EVERYTHING),
     "__main__": Rule(("cli",)),

@@ -20,6 +20,7 @@ class Entry(NamedTuple):
 COMMANDS = {
     "run": Entry("sketchkit.cli.run", "Show a sketch in a window."),
     "render": Entry("sketchkit.cli.render", "Write pictures of a sketch's frames."),
+    "port": Entry("sketchkit.cli.port", "Write a sketch of Processing's Python Mode as Python 3."),
     "new": Entry("sketchkit.cli.new", "Make a folder for a new sketch."),
     "doctor": Entry("sketchkit.cli.doctor", "Say what works on this computer."),
     "grade": Entry("sketchkit.cli.grade", "Judge a class's sketches."),

@@ -7,6 +7,9 @@ from pathlib import Path
 import click
 
 from sketchkit.core.errors import nearest
+from sketchkit.runtime.source import PYTHON_MODE
+
+ENDINGS = (".py", PYTHON_MODE)
 
 
 def sketch_file(text: str) -> Path:
@@ -22,19 +25,25 @@ def sketch_file(text: str) -> Path:
         return _file_in(path)
     if path.is_file():
         return path
-    files = [file.name for file in path.parent.glob("*.py")]
+    files = [file.name for file in _sketches(path.parent)]
     known = nearest(path.name, files)
     hint = f" Do you mean {path.parent / known}?" if known else ""
     raise click.BadParameter(f"there is no file {text}.{hint}")
 
 
 def _file_in(folder: Path) -> Path:
-    """Return `spinning/spinning.py`, or the only Python file there is."""
-    named = folder / f"{folder.resolve().name}.py"
-    files = sorted(folder.glob("*.py"))
-    if named in files:
-        return named
-    if len(files) == 1:
-        return files[0]
+    """Return `spinning/spinning.py`, or `spinning.pyde`, or the only such file there is."""
+    name = folder.resolve().name
+    files = _sketches(folder)
+    for ending in ENDINGS:
+        if (named := folder / f"{name}{ending}") in files:
+            return named
+    for ending in reversed(ENDINGS):  # beside a .pyde, a .py is a module of it
+        if len(alike := [file for file in files if file.suffix == ending]) == 1:
+            return alike[0]
     found = ", ".join(file.name for file in files) or "no Python file"
-    raise click.BadParameter(f"the folder {folder} has no {named.name}, but {found}.")
+    raise click.BadParameter(f"the folder {folder} has no {name}.py, but {found}.")
+
+
+def _sketches(folder: Path) -> list[Path]:
+    return sorted(file for ending in ENDINGS for file in folder.glob(f"*{ending}"))

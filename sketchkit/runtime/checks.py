@@ -66,6 +66,8 @@ def refuse_hidden_modules(source: Source) -> None:
     EarlyError
         If it would.
     """
+    if source.python == 2:
+        return  # there the sketch's own file comes first
     for name, line in _imported_names(source.tree):
         if name in TAKEN_NAMES and _has_module(source.path.parent, name):
             whose = "the installed" if name in FOUNDATIONS else "Python's own"

@@ -67,6 +67,8 @@ class Launch:
         What it sees as `args`.
     replay : Replay
         What happens with mouse and keys.
+    python : 2 or 3, optional
+        Which Python it is written in. Without it, the end of its name tells.
     """
 
     path: Path
@@ -74,6 +76,7 @@ class Launch:
     seed: int = 0
     args: Sequence[str] = ()
     replay: Replay = field(default_factory=Replay)
+    python: int | None = None
 
 
 def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator[Frame]:
@@ -112,7 +115,7 @@ def opened(
         If it cannot be read, or stops by a mistake in the block.
     """
     with reporting(launch.path):
-        source = Source.read(launch.path)
+        source = Source.read(launch.path, launch.python)
     sketch = Sketch(
         PGraphics(renderer, Target(FIRST_SIZE, FIRST_SIZE)),
         clock=clock,

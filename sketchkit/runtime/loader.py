@@ -28,12 +28,14 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.assets.paths import set_sketch_folder, sketch_folder
 from sketchkit.core import running
 from sketchkit.core.notices import SketchWarning
+from sketchkit.runtime.adding import adder
 from sketchkit.runtime.checks import (
     begins_without_smoothing,
     refuse_drawing_before_size,
     refuse_hidden_modules,
 )
-from sketchkit.runtime.siblings import SiblingFinder
+from sketchkit.runtime.python_mode.names import python_mode_names
+from sketchkit.runtime.siblings import Family, SiblingFinder
 from sketchkit.runtime.source import Source
 
 Names = dict[str, object]
@@ -79,14 +81,19 @@ class Program:
         self._running = running.Running(self.names, [name for name in own if name not in values])
         self._unhidden = set(values)  # live values of which the sketch has not been told
         self.sources = {str(source.path): source}
-        self._finder = SiblingFinder(source.path.parent, self.names, self.sources)
+        family = Family(source.path.parent, self.names, self.sources, source.python)
+        self._finder = SiblingFinder(family)
+        self.names["add_library"] = adder(self.names)
+        if source.python == 2:
+            self.names |= python_mode_names(family)
         self._restore = ExitStack()
         sketch.attach(self.namespace, self.publish)
 
     @property
     def files(self) -> list[Path]:
         """The sketch's file, and those of its modules so far."""
-        return [self.source.path, *self._finder.files]
+        found = [*self._finder.files, *map(Path, self.sources)]
+        return list(dict.fromkeys([self.source.path, *found]))
 
     def __enter__(self) -> Program:
         """Go to the sketch's folder and let its modules be found."""

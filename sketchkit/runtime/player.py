@@ -22,6 +22,7 @@ from sketchkit.runtime.loader import Tell
 from sketchkit.runtime.loop import Loop
 from sketchkit.runtime.reload import Watch, compile_all
 from sketchkit.runtime.report import Report, StoppedError, reporting
+from sketchkit.runtime.source import PYTHON_MODE
 
 IDLE_S = 0.1  # how long to wait for events when nothing is to be drawn
 RATE_WEIGHT = 0.05  # of the newest frame in frameRate, as in Processing
@@ -71,6 +72,8 @@ class Player:
         The window.
     args : sequence of str
         What the sketch sees as `args`.
+    python : 2 or 3, optional
+        Which Python it is written in. Without it, the end of its name tells.
     tell : callable
         Called with file, line and text of each remark.
     say : callable
@@ -79,12 +82,13 @@ class Player:
         Returns the time, in seconds from whenever.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 # one place calls it
         self,
         path: Path,
         screen: Screen,
         *,
         args: Sequence[str] = (),
+        python: int | None = None,
         tell: Tell,
         say: Callable[[Report], None],
         now: Callable[[], float] = time.perf_counter,
@@ -92,6 +96,7 @@ class Player:
         self._path = path.absolute()  # a sketch is run in its own folder
         self._screen = screen
         self._args = args
+        self._python = python or (2 if path.suffix == PYTHON_MODE else 3)
         self._tell = tell
         self._say = say
         self._now = now
@@ -113,7 +118,7 @@ class Player:
     def _run(self) -> Ending:
         renderer = Renderer(self._screen.backend)
         seed = time.time_ns() & 0xFFFFFFFF
-        launch = Launch(self._path, self._tell, seed, self._args)
+        launch = Launch(self._path, self._tell, seed, self._args, self._python)
         with opened(launch, renderer, RealClock(), self._screen) as loop:
             try:
                 loop.begin()
@@ -156,7 +161,8 @@ class Player:
             return False
         try:
             with reporting(self._path):
-                compile_all(path for path in changed if path.suffix == ".py")
+                files = (path for path in changed if path.suffix in (".py", PYTHON_MODE))
+                compile_all(files, self._python)
                 reload_shaders(changed, self._screen.backend)
         except StoppedError as stopped:
             self._show(stopped.report)

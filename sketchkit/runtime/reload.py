@@ -33,8 +33,15 @@ class Watch:
         return changed
 
 
-def compile_all(files: Iterable[Path]) -> None:
+def compile_all(files: Iterable[Path], python: int | None = None) -> None:
     """Read changed files as Python, so that a broken one is found before the old one is left.
+
+    Parameters
+    ----------
+    files : iterable of Path
+        Which.
+    python : 2 or 3, optional
+        Which Python they are written in.
 
     Raises
     ------
@@ -42,7 +49,7 @@ def compile_all(files: Iterable[Path]) -> None:
         As `Source.read` does.
     """
     for path in files:
-        Source.read(path)
+        Source.read(path, python)
 
 
 def _stamp(path: Path) -> Stamp:

@@ -134,7 +134,7 @@ def report_of(error: BaseException, path: Path, program: Program | None = None) 
     if isinstance(error, SyntaxError):
         return _syntax_report(error, path, trace)
     if isinstance(error, EarlyError):
-        text = Source.read(error.path).line(error.line)
+        text = Source(error.path, error.path.read_bytes()).line(error.line)
         return Report(error.message, error.path, error.line, text, traceback=trace)
     steps = list(_steps(error.__traceback__, program)) if program else []
     if program is None or not steps:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib.abc import MetaPathFinder
 from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from pathlib import Path
@@ -15,23 +16,45 @@ from sketchkit.runtime.source import Source
 Names = dict[str, object]
 
 
+@dataclass(frozen=True)
+class Family:
+    """What the files of a sketch have in common.
+
+    Attributes
+    ----------
+    folder : Path
+        Where the sketch lies.
+    names : dict
+        What they all see behind their own names.
+    sources : dict
+        What has been read of them, by file name.
+    python : 2 or 3
+        Which Python they are written in.
+    """
+
+    folder: Path
+    names: Names
+    sources: dict[str, Source]
+    python: int = 3
+
+
 class SiblingLoader(SourceFileLoader):
     """Runs a module that sees the sketch's names."""
 
-    def __init__(self, name: str, path: str, names: Names, sources: dict[str, Source]) -> None:
+    def __init__(self, name: str, path: str, family: Family) -> None:
         super().__init__(name, path)
-        self.names = names
-        self.sources = sources
+        self.family = family
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Return a module whose own namespace is empty, and behind it the sketch's names."""
         module = ModuleType(spec.name)
-        vars(module)["__builtins__"] = self.names
+        vars(module)["__builtins__"] = self.family.names
         return module
 
     def get_code(self, fullname: str) -> CodeType:
         """Return the module's code, from its source: nothing is cached beside a sketch."""
-        source = self.sources[self.path] = Source.read(Path(self.path))
+        source = Source.read(Path(self.path), self.family.python)
+        self.family.sources[self.path] = source
         refuse_hidden_modules(source)
         return source.code
 
@@ -41,16 +64,14 @@ class SiblingFinder(MetaPathFinder):
 
     Attributes
     ----------
-    sources : dict
-        What has been read of them, by file name.
+    family : Family
+        The sketch's.
     found : dict
         The modules that the sketch has got from here, and their files; None for a plain folder.
     """
 
-    def __init__(self, folder: Path, names: Names, sources: dict[str, Source]) -> None:
-        self.folder = folder
-        self.names = names
-        self.sources = sources
+    def __init__(self, family: Family) -> None:
+        self.family = family
         self.found: dict[str, Path | None] = {}
         self._path_before = frozenset(sys.path)
 
@@ -68,7 +89,7 @@ class SiblingFinder(MetaPathFinder):
             return None  # as in Python, a plain folder counts only if nothing else has the name
         self.found[fullname] = Path(spec.origin) if spec.origin else None
         if isinstance(spec.loader, SourceFileLoader):
-            spec.loader = SiblingLoader(fullname, spec.loader.path, self.names, self.sources)
+            spec.loader = SiblingLoader(fullname, spec.loader.path, self.family)
         return spec
 
     @property
@@ -82,4 +103,7 @@ class SiblingFinder(MetaPathFinder):
             sys.modules.pop(name, None)
 
     def _folders(self) -> list[str]:
-        return [str(self.folder), *(entry for entry in sys.path if entry not in self._path_before)]
+        return [
+            str(self.family.folder),
+            *(entry for entry in sys.path if entry not in self._path_before),
+        ]

@@ -12,6 +12,13 @@ from pathlib import Path
 from types import CodeType
 from typing import NamedTuple
 
+from sketchkit.pymode.meaning import python_3
+from sketchkit.pymode.reading import text_of
+from sketchkit.pymode.settings import with_settings_first
+from sketchkit.pymode.syntax import Converted, convert
+
+PYTHON_MODE = ".pyde"  # how the files of Processing's Python Mode end: they are Python 2
+
 
 class Position(NamedTuple):
     """A part of a file, as Python keeps it: lines from 1, columns in bytes from 0."""
@@ -32,17 +39,27 @@ class Source:
         Absolute.
     data : bytes
         As it is on disk: Python itself sees to byte order marks, CRLF and `coding:` lines.
+    python : 2 or 3
+        Which Python it is written in.
     remarks : list of (line, text)
         What Python finds strange in it.
     """
 
     path: Path
     data: bytes
+    python: int = 3
     remarks: list[tuple[int, str]] = field(default_factory=list, compare=False)
 
     @classmethod
-    def read(cls, path: Path) -> Source:
+    def read(cls, path: Path, python: int | None = None) -> Source:
         """Read a file.
+
+        Parameters
+        ----------
+        path : Path
+            Where it is.
+        python : 2 or 3, optional
+            Which Python it is written in. Without it, the end of its name tells.
 
         Raises
         ------
@@ -50,14 +67,19 @@ class Source:
             If it is not Python.
         OSError
             If it cannot be read.
+        SketchError
+            If it is Python 2 and the library that converts it is not installed.
         """
-        source = cls(path.absolute(), path.read_bytes())
+        python = python or (2 if path.suffix == PYTHON_MODE else 3)
+        source = cls(path.absolute(), path.read_bytes(), python)
         source.code  # noqa: B018 # compiled here, so that mistakes come to light when it is read
         return source
 
     @cached_property
     def tree(self) -> ast.Module:
-        """The syntax tree."""
+        """The syntax tree, in the syntax of Python 3."""
+        if self.python == 2:
+            return with_settings_first(self._converted.tree(str(self.path)))
         try:
             return ast.parse(self.data, str(self.path))
         except ValueError as problem:  # Python 3.11.2 says so of a file with null bytes
@@ -66,6 +88,8 @@ class Source:
     @cached_property
     def lines(self) -> list[str]:
         """The text, line by line."""
+        if self.python == 2:
+            return text_of(self.data).split("\n")
         encoding, _ = tokenize.detect_encoding(io.BytesIO(self.data).readline)
         return self.data.decode(encoding, errors="replace").splitlines()
 
@@ -74,7 +98,7 @@ class Source:
         """What Python runs."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            code = compile(self.tree, str(self.path), "exec", dont_inherit=True)
+            code = compile(self._meant, str(self.path), "exec", dont_inherit=True)
         self.remarks.extend((warning.lineno, f"{warning.message}") for warning in caught)
         return code
 
@@ -87,6 +111,8 @@ class Source:
         if position is None:
             return 0, 0
         text = self.line(position.line)
+        if not self._is_as_written(position.line):
+            return 0, 0
         first = _characters(text, position.column)
         is_one_line = position.end_line == position.line
         return first, _characters(text, position.end_column) if is_one_line else len(text)
@@ -102,6 +128,24 @@ class Source:
             ):
                 return node
         return None
+
+    @cached_property
+    def _converted(self) -> Converted:
+        return convert(text_of(self.data), str(self.path))
+
+    @property
+    def _meant(self) -> ast.Module:
+        """The tree that is run: what is Python 2 is changed in a tree of its own."""
+        if self.python == 3:
+            return self.tree
+        return python_3(with_settings_first(self._converted.tree(str(self.path))))
+
+    def _is_as_written(self, number: int) -> bool:
+        """Tell whether a line is read as it stands in the file, so that columns are the same."""
+        if self.python == 3:
+            return True
+        lines = self._converted.text.split("\n")
+        return number <= len(lines) and self.line(number) == lines[number - 1]
 
     def line_of_binding(self, name: str) -> int:
         """Return the line in which the sketch first gives a name a value; 1 if there is none."""
