@@ -14,8 +14,7 @@ from sketchkit.cli.sketch_file import sketch_file
 from sketchkit.pymode.porting import Ported, port
 from sketchkit.pymode.reading import text_of
 from sketchkit.runtime.report import StoppedError, reporting
-
-WRONG_CALL = 2  # exit status
+from sketchkit.runtime.source import Source
 
 
 @click.command(name="port")
@@ -37,7 +36,8 @@ def command(sketch: Path, out: Path | None, force: bool) -> None:
     folder = out or _folder(sketch, files)
     try:
         with reporting(sketch):
-            ported = port({name: text_of(file.read_bytes()) for name, file in files.items()})
+            sources = {name: Source.read(file, python=2) for name, file in files.items()}
+            ported = port({name: text_of(source.data) for name, source in sources.items()})
     except StoppedError as stopped:
         say.mistake(stopped.report, with_traceback=False)
         sys.exit(1)
@@ -50,7 +50,8 @@ def command(sketch: Path, out: Path | None, force: bool) -> None:
 def _files(sketch: Path) -> dict[str, Path]:
     """Return the sketch and the modules of its folder, by the names of the new files."""
     folder = sketch.parent
-    names = [path for path in folder.rglob("*.py") if path != sketch and _is_module(path, folder)]
+    own = (sketch, sketch.with_suffix(".py"))  # the second is what was written last time
+    names = [path for path in folder.rglob("*.py") if path not in own and _is_module(path, folder)]
     return {f"{sketch.stem}.py": sketch} | {
         path.relative_to(folder).as_posix(): path for path in sorted(names)
     }

@@ -12,10 +12,12 @@ import click
 from sketchkit.assets.output import picture_bytes, write_file
 from sketchkit.cli import say
 from sketchkit.cli.frames import frames as frames_option
+from sketchkit.cli.python_mode import python_mode
 from sketchkit.cli.render_record import Record
 from sketchkit.cli.sketch_file import sketch_file
 from sketchkit.runtime.backends import RENDERERS, RendererError, open_backend
 from sketchkit.runtime.headless import Launch, render
+from sketchkit.runtime.loader import Tell
 from sketchkit.runtime.replay import EventsError, Replay, read_replay
 from sketchkit.runtime.report import StoppedError
 
@@ -58,6 +60,7 @@ WRONG_CALL = 2  # exit status
     type=click.Path(dir_okay=False, path_type=Path),
     help="Write a report: versions, renderer, and for each frame draw calls, vertices, time.",
 )
+@python_mode
 @click.option("--traceback", is_flag=True, help="Show all that Python says about a mistake.")
 def command(  # noqa: PLR0913 # click hands over each option
     sketches: Sequence[Path],
@@ -67,6 +70,7 @@ def command(  # noqa: PLR0913 # click hands over each option
     seed: int,
     events: Path | None,
     record_path: Path | None,
+    python: int | None,
     traceback: bool,
 ) -> None:
     """Write the pictures of some frames of each SKETCH, a Python file or its folder.
@@ -86,7 +90,8 @@ def command(  # noqa: PLR0913 # click hands over each option
     replay = _replay(events)
     for sketch, folder in folders.items():
         try:
-            _render_one(sketch, folder, numbers, record, replay)
+            launch = Launch(sketch, _teller(record), seed, replay=replay, python=python)
+            _render_one(launch, folder, numbers, record)
         except StoppedError as stopped:
             say.mistake(stopped.report, with_traceback=traceback)
             record.add_mistake(sketch, stopped.report)
@@ -103,18 +108,19 @@ def _replay(events: Path | None) -> Replay:
         sys.exit(WRONG_CALL)
 
 
-def _render_one(
-    sketch: Path, folder: Path, numbers: Sequence[int], record: Record, replay: Replay
-) -> None:
+def _render_one(launch: Launch, folder: Path, numbers: Sequence[int], record: Record) -> None:
+    for frame in render(launch, numbers, record.backend):
+        file = folder / f"frame-{frame.number:04}.png"
+        write_file(file, picture_bytes(frame.pixels, file.suffix))
+        record.add_frame(launch.path, frame, file)
+
+
+def _teller(record: Record) -> Tell:
     def tell(path: Path, line: int, text: str) -> None:
         say.remark(path, line, text)
         record.add_remark(path, line, text)
 
-    launch = Launch(sketch, tell, record.seed, replay=replay)
-    for frame in render(launch, numbers, record.backend):
-        file = folder / f"frame-{frame.number:04}.png"
-        write_file(file, picture_bytes(frame.pixels, file.suffix))
-        record.add_frame(sketch, frame, file)
+    return tell
 
 
 def _folders(sketches: Sequence[Path], out: Path) -> dict[Path, Path]:

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from sketchkit.cli import say
+from sketchkit.cli.python_mode import python_mode
 from sketchkit.cli.sketch_file import sketch_file
 from sketchkit.runtime.player import Player
 from sketchkit.runtime.window import Window, WindowError
@@ -18,9 +19,10 @@ NO_WINDOW = 2  # exit status
 @click.command(name="run", context_settings={"ignore_unknown_options": True})
 @click.argument("sketch", type=sketch_file)
 @click.argument("args", nargs=-1, type=click.UNPROCESSED)
+@python_mode
 @click.option("--traceback", is_flag=True, help="Show all that Python says about a mistake.")
-def command(sketch: Path, args: tuple[str, ...], traceback: bool) -> None:
-    """Show SKETCH, a Python file or its folder, in a window.
+def command(sketch: Path, args: tuple[str, ...], python: int | None, traceback: bool) -> None:
+    """Show SKETCH, a Python file (.py or .pyde) or its folder, in a window.
 
     Esc or closing the window ends it. Save the file while it runs, and it starts again. What
     follows SKETCH is the list that the sketch sees as args.
@@ -38,6 +40,7 @@ def command(sketch: Path, args: tuple[str, ...], traceback: bool) -> None:
             sketch,
             window,
             args=args,
+            python=python,
             tell=say.remark,
             say=lambda report: say.mistake(report, with_traceback=traceback),
         )

@@ -96,7 +96,7 @@ def _draft(text: str, name: str) -> str:
         return convert(text, name).text
     changed = str(modernised(tree)).removesuffix("\n")
     for tools in (refactoring(NAMES), refactoring(OWN_FIXERS, "sketchkit.pymode.fixers")):
-        tree = parse(changed, GRAMMARS[-1:])
+        tree = parse(changed, GRAMMARS[1:])
         changed = changed if tree is None else str(change(tree, tools)).removesuffix("\n")
     return with_early_globals(changed.rstrip("\n") + "\n")
 

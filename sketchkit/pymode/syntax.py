@@ -30,6 +30,8 @@ GRAMMARS = (
     "python_grammar_no_print_statement",
     "python_grammar_no_print_and_exec_statement",
 )
+PRINT_FUNCTION = re.compile(r"^from __future__ import .*\bprint_function\b", re.MULTILINE)
+CLEAR = ("was never closed", "unterminated")  # what Python 3 says better, wherever it says it
 STRING = re.compile(r"(?P<prefix>[a-zA-Z]*)(?P<rest>[\"'].*)", re.DOTALL)
 NEW_ESCAPES = re.compile(r"(?<!\\)((?:\\\\)*)\\([uUN])")
 
@@ -100,7 +102,7 @@ def parse(text: str, grammars: Sequence[str] = GRAMMARS) -> Base | None:
     text : str
         The file.
     grammars : sequence of str
-        Which to try: `GRAMMARS[-1:]` is for what is in the syntax of Python 3 already.
+        Which to try: `GRAMMARS[1:]` is for what is in the syntax of Python 3 already.
     """
     return _parsed(text, grammars)[0]
 
@@ -147,7 +149,7 @@ def _parsed(text: str, grammars: Sequence[str]) -> tuple[Base | None, SyntaxErro
     pygram, driver, pytree = _library("pygram"), _library("pgen2.driver"), _library("pytree")
     tokenizing, parsing = _library("pgen2.tokenize"), _library("pgen2.parse")
     mistake = None
-    for name in grammars:
+    for name in grammars[1:] if PRINT_FUNCTION.search(text) else grammars:
         reader = driver.Driver(getattr(pygram, name), convert=pytree.convert)
         try:
             tree: Base = reader.parse_string(text + "\n")
@@ -177,7 +179,8 @@ def _check_python_3(text: str, filename: str, mistake: SyntaxError | None) -> No
     try:
         ast.parse(text, filename)
     except SyntaxError as error:
-        if mistake is None or error.lineno == mistake.lineno:
+        is_clear = any(words in error.msg for words in CLEAR)
+        if mistake is None or error.lineno == mistake.lineno or is_clear:
             raise
         mistake.filename = filename
         raise mistake from None

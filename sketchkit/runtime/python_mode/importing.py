@@ -71,10 +71,14 @@ class Importer:
 
     def _top(self, name: str, module: ModuleType) -> ModuleType:
         """Return what `import java.util` binds: the package `java`."""
-        top = name.partition(".")[0]
-        if top == name:
+        top, _, path = name.partition(".")
+        if not path:
             return module
-        return self._own(top) or importlib.import_module(top)
+        package = self._own(top) or importlib.import_module(top)
+        found: object = package
+        for part in path.split("."):
+            found = getattr(found, part)  # so that a class that is not there is told of here
+        return package
 
     def _hidden(self, name: str, file: Path) -> ModuleType:
         """Return a module of the sketch that has the name of one of Python's.
