@@ -22,6 +22,8 @@ METHODS: dict[str, range] = {
     "decode": range(3),
     "encode": range(3),
 }
+# What every sketch has, and what is no number only if it says so itself.
+NUMBERS = frozenset({"width", "height", "mouseX", "mouseY", "pmouseX", "pmouseY", "frameCount"})
 WRITERS = ("str", "unicode")
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
@@ -86,6 +88,15 @@ class _Meaning(ast.NodeTransformer):
             node.value = _call("divisor", [node.value], node.value)
         return node
 
+    def visit_Compare(self, node: ast.Compare) -> ast.expr:
+        """Let things of different kinds be compared: a list with a number, say."""
+        self.generic_visit(node)
+        match node.ops, node.comparators:
+            case [ast.Lt() | ast.LtE() | ast.Gt() | ast.GtE() as sign], [right]:
+                if not (_is_evidently_number(node.left) and _is_evidently_number(right)):
+                    return _call(type(sign).__name__, [node.left, right], node)
+        return node
+
     def visit_Call(self, node: ast.Call) -> ast.expr:
         self.generic_visit(node)
         match node.func:
@@ -113,6 +124,21 @@ def _is_evidently_float(node: ast.expr) -> bool:
             return _is_evidently_float(left) or _is_evidently_float(right)
         case ast.UnaryOp(operand=operand):
             return _is_evidently_float(operand)
+    return False
+
+
+def _is_evidently_number(node: ast.expr) -> bool:
+    match node:
+        case ast.Constant(value=int() | float()):
+            return True
+        case ast.Name(id=name):
+            return name in NUMBERS
+        case ast.Call(func=ast.Name(id="len" | "int" | "float" | "random" | "dist")):
+            return True
+        case ast.BinOp(op=ast.Sub() | ast.Div() | ast.Pow() | ast.FloorDiv()):
+            return True
+        case ast.UnaryOp(operand=operand):
+            return _is_evidently_number(operand)
     return False
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any  # operands are whatever the sketch has
 
 from sketchkit.pymode.classes import modernised
-from sketchkit.pymode.ordering import sort
+from sketchkit.pymode.ordering import greater, greater_or_equal, less, less_or_equal, sort
 
 TEXT_CODECS = ("utf", "latin", "iso", "ascii", "cp1", "mbcs")
 
@@ -118,6 +118,10 @@ OPERATIONS = {
         "has_key": has_key,
         "next": following,
         "sort": sort,
+        "Lt": less,
+        "LtE": less_or_equal,
+        "Gt": greater,
+        "GtE": greater_or_equal,
         "decode": decode,
         "encode": encode,
         "written": written,

@@ -19,6 +19,38 @@ def compare(a: Any, b: Any) -> int:  # noqa: ANN401 # see the import
         return -1 if _rank(a) < _rank(b) else 1
 
 
+def less(a: Any, b: Any) -> Any:  # noqa: ANN401 # see the import
+    """Return `a < b`; of things that Python 3 cannot compare, what Python 2 says."""
+    try:
+        return a < b
+    except TypeError:
+        return compare(a, b) < 0
+
+
+def less_or_equal(a: Any, b: Any) -> Any:  # noqa: ANN401 # see the import
+    """Return `a <= b`, likewise."""
+    try:
+        return a <= b
+    except TypeError:
+        return compare(a, b) <= 0
+
+
+def greater(a: Any, b: Any) -> Any:  # noqa: ANN401 # see the import
+    """Return `a > b`, likewise."""
+    try:
+        return a > b
+    except TypeError:
+        return compare(a, b) > 0
+
+
+def greater_or_equal(a: Any, b: Any) -> Any:  # noqa: ANN401 # see the import
+    """Return `a >= b`, likewise."""
+    try:
+        return a >= b
+    except TypeError:
+        return compare(a, b) >= 0
+
+
 def ordered(
     values: Iterable[Any],
     cmp: Comparison | None = None,

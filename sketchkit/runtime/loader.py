@@ -150,6 +150,13 @@ class Program:
         """Tell whether the sketch defines a function."""
         return self._function(name) is not None
 
+    def needs_arguments(self, name: str) -> bool:
+        """Tell whether the sketch defines a function that cannot be called without arguments."""
+        function = self._function(name)
+        parameters = inspect.signature(function).parameters.values() if function else ()
+        variable = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+        return any(p.default is p.empty and p.kind not in variable for p in parameters)
+
     def call(self, name: str, event: object = None) -> None:
         """Call a function of the sketch, if there is one, with live values as they are now.
 

@@ -100,7 +100,8 @@ class Loop:
     def end(self) -> None:
         """Call what the sketch wants to be called at its end."""
         for name in LAST_CALLS:
-            self.program.call(name)
+            if not self.program.needs_arguments(name):  # else it is one of the sketch's own
+                self.program.call(name)
         self._sketch.write_files()
 
     def _raise_failures(self) -> None:

@@ -37,6 +37,11 @@ D = {"a": 1, "b": 2}
         ("str(3)", "3"),
         ("unicode('é', 'utf-8')", "é"),
         ("[3, None, 'a', 1].sort()", None),
+        ("[1] > 500", True),
+        ("None < x", True),
+        ("'a' <= 5", False),
+        ("n >= 7", True),
+        ("1 < n < 9", True),
     ],
 )
 def test_expression_has_the_value_of_python_2(expression: str, expected: object) -> None:

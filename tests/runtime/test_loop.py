@@ -381,3 +381,10 @@ def test_function_of_a_dialog_is_called_after_draw_with_live_values(tmp_path: Pa
         loop.step()
 
         assert loop.program.namespace["log"] == ["draw", ("chosen", 1)]
+
+
+def test_a_function_called_stop_that_takes_something_is_the_sketchs_own(tmp_path: Path) -> None:
+    sketch = written(tmp_path, "def stop(player):\n    1 / 0\n")
+
+    with begun(sketch) as loop:
+        loop.end()
