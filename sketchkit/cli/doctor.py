@@ -56,6 +56,7 @@ TRIED = (
         "Only needed by sketchkit grade, which says what a submission could do. Linux: apt "
         "install bubblewrap, and grade where user namespaces are allowed.",
     ),
+    ("python_mode", "sketches of Python Mode (.pyde)", 'pip install "sketchkit[pde]"'),
 )
 
 

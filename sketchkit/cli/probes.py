@@ -10,9 +10,11 @@ import subprocess
 import sys
 from collections.abc import Callable
 
+from sketchkit.core.errors import SketchError
 from sketchkit.draw.backend import Backend
 from sketchkit.grading.sandbox.level import Strength
 from sketchkit.grading.sandbox.probe import probe as probe_sandbox
+from sketchkit.pymode.syntax import convert
 from sketchkit.runtime.backends import RendererError, open_backend
 from sketchkit.runtime.window import Window, WindowError
 from sketchkit.stubs import blank_canvas
@@ -85,6 +87,13 @@ def _sandbox() -> str:
     return level.in_words
 
 
+def _python_mode() -> str:
+    try:
+        return f"print 1 becomes {convert('print 1', 'old.pyde').text}"
+    except SketchError:
+        raise ProbeError("not installed") from None
+
+
 PROBES: dict[str, Callable[[], str]] = {
     "gl": _gl,
     "osmesa": _osmesa,
@@ -92,4 +101,5 @@ PROBES: dict[str, Callable[[], str]] = {
     "cpu": _cpu,
     "font": _font,
     "sandbox": _sandbox,
+    "python_mode": _python_mode,
 }

@@ -16,5 +16,6 @@ def test_everything_is_looked_at() -> None:
         "CPU renderer",
         "font",
         "sandbox",
+        "Python Mode",
     ):
         assert what in result.output
