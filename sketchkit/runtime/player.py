@@ -118,7 +118,7 @@ class Player:
     def _run(self) -> Ending:
         renderer = Renderer(self._screen.backend)
         seed = time.time_ns() & 0xFFFFFFFF
-        launch = Launch(self._path, self._tell, seed, self._args, self._python)
+        launch = Launch(self._path, self._tell, seed, self._args, python=self._python)
         with opened(launch, renderer, RealClock(), self._screen) as loop:
             try:
                 loop.begin()

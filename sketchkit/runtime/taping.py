@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import ChainMap
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from sketchkit.core.clock import VirtualClock
@@ -44,13 +45,15 @@ def record(
         Values of the sketch, see `number_at`.
     """
 
+    say = launch.tell
+
     def tell(path: Path, line: int, text: str) -> None:
-        launch.tell(path, line, text)
+        say(path, line, text)
         send(Message("remark", [path.name, line, text]))
 
     renderer = TapeRenderer(send, open_backend)
     clock = VirtualClock()
-    launch = Launch(launch.path, tell, launch.seed, launch.args, launch.replay)
+    launch = replace(launch, tell=tell)
     try:
         with opened(launch, renderer, clock) as loop:
             seed_everything(launch.seed)
