@@ -44,7 +44,6 @@ def record(
     watched : sequence of str
         Values of the sketch, see `number_at`.
     """
-
     say = launch.tell
 
     def tell(path: Path, line: int, text: str) -> None:
