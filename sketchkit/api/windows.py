@@ -194,15 +194,6 @@ class Windows(SketchParts):
         """
         return PSurface(self._host, self)
 
-    def getSurface(self) -> PSurface:
-        """Return the window as an object: the same as `surface`.
-
-        Examples
-        --------
-        >>> getSurface().setTitle("Spinning")
-        """
-        return PSurface(self._host, self)
-
     @property
     def frame(self) -> PSurface:
         """The window as an object, by its older name: see `surface`.
