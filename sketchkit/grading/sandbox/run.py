@@ -16,7 +16,7 @@ from sketchkit.grading.sandbox.watch import Console, Watched, watch
 OUT_OF_MEMORY = ("MemoryError", "bad_alloc", "out of memory", "Cannot allocate memory")
 
 KILLED = (9, 24)  # SIGKILL, SIGXCPU: how the kernel ends what takes too much time
-NEARLY = 0.8  # of that time: the limit is counted in coarser steps than what is told afterwards
+NEARLY = 0.7  # of that time: the limit is counted in coarser steps than what is told afterwards
 
 
 def run(job: Job, level: Level) -> Ending:
