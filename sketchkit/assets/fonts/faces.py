@@ -35,7 +35,7 @@ LARGEST = 512  # px; the shapes of larger text are made at this size, and enlarg
 MOST_FACES = 256  # that are kept; a sketch may set text in a new size in each frame
 MOST_ATLASES = 32  # of faces at the sizes they were made for
 MOST_IMAGES = 4  # of letters at other sizes; when more are needed, all of these are given up
-MOST_LINES = 4096  # whose layout is kept, for each face
+MOST_LINES = 2048  # whose layout is kept, for each face: of short ones, 2 kB each
 LAST_UNIT = "\uffff"  # the last character that is one for Java; those behind are two
 NOTICEABLE = 1.5  # times larger: Processing's own pixels up to here, where its blur hardly shows
 

@@ -60,7 +60,9 @@ class GlBackend:
         self, context: moderngl.Context, origin: str, find: FindFunction | None = None
     ) -> None:
         self.context = context
-        context.gc_mode = "auto"  # what nothing refers to any more is released on the GPU too
+        # What nothing refers to any more is released on the GPU too, at the next list of commands:
+        # at once would be too early, as without a window the context is current only meanwhile.
+        context.gc_mode = "context_gc"
         self.origin = origin
         self._turning = Turning(context, find)
         self._programs = Programs(context)
@@ -110,7 +112,15 @@ class GlBackend:
     def execute(self, commands: DrawList) -> None:
         """Carry out the commands in order."""
         with self.context:
+            self._release_unused()
             self._execute(commands)
+
+    def _release_unused(self) -> None:
+        unused = self.context.objects
+        while unused:
+            made = unused.popleft()
+            if hasattr(made, "release"):  # else it was released by name
+                made.release()
 
     def _execute(self, commands: DrawList) -> None:
         self._buffers.upload(commands.blocks)
