@@ -75,6 +75,7 @@ class CanvasParts(Pen):
     _is_layered: bool
     _is_offscreen: bool
     _is_drawing: bool
+    _repeats_keys: bool
     _when_drawn: list[Callable[[], None]]
     _shaders: Mapping[str, HasShading]
     _own: Pixels
@@ -96,7 +97,7 @@ class CanvasParts(Pen):
         self._typography = Typography()
         self._light_falloff, self._light_specular = (1.0, 0.0, 0.0), (0.0, 0.0, 0.0)
         self._has_drawn = self._was_cleared = self._is_layered = False
-        self._is_offscreen = self._is_drawing = False
+        self._is_offscreen = self._is_drawing = self._repeats_keys = False
         self._when_drawn = []
         self._shaders = {}
         self._own = blank_pixels(target)

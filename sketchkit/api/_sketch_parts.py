@@ -46,7 +46,14 @@ class Canvas(Protocol):
         """Whether something but a background was drawn since the last flush."""
         ...
 
-    def resize(self, width: int, height: int, renderer_name: str, samples: int) -> None:
+    @property
+    def repeats_keys(self) -> bool:
+        """Whether keys that repeat because they are held reach the sketch in P2D and P3D."""
+        ...
+
+    def resize(
+        self, width: int, height: int, renderer_name: str, samples: int, density: int = 1
+    ) -> None:
         """Give the canvas another size; what was drawn is lost."""
         ...
 
@@ -136,6 +143,7 @@ class Format:
     width: int = 100
     height: int = 100
     renderer: str = JAVA2D
+    density: int = 1
     smoothing: int = 2  # 0: one sample for each pixel; else SMOOTH_SAMPLES
     ratio: tuple[int, int] | None = None  # the area of windowRatio()
 
@@ -210,5 +218,6 @@ class SketchParts:
     def _reformat(self) -> None:
         wanted = self._format
         samples = SMOOTH_SAMPLES if wanted.smoothing else 1
-        self.canvas.resize(wanted.width, wanted.height, wanted.renderer, samples)
+        size = wanted.width, wanted.height
+        self.canvas.resize(*size, wanted.renderer, samples, wanted.density)
         self._publish()

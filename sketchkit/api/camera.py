@@ -39,6 +39,7 @@ STAGE_HINTS: dict[int, dict[str, bool]] = {
     c.ENABLE_STROKE_PERSPECTIVE: {"stroke_perspective": True},
     c.DISABLE_STROKE_PERSPECTIVE: {"stroke_perspective": False},
 }
+KEY_HINTS = {c.ENABLE_KEY_REPEAT: True, c.DISABLE_KEY_REPEAT: False}
 HINTS = [value for name, value in vars(c).items() if name.startswith(("DISABLE_", "ENABLE_"))]
 
 
@@ -88,13 +89,13 @@ class Camera(CanvasParts):
 
     def _default_eye(self) -> float:
         """Return how far the default eye is from the canvas."""
-        return mat.eye_distance(self._target.height, FIELD_OF_VIEW)
+        return mat.eye_distance(self._target.down, FIELD_OF_VIEW)
 
     def _default_camera(self) -> mat.Affine:
         """Return the modelview with which a frame begins."""
         if not self._stage.is_3d:
             return mat.IDENTITY
-        x, y = self._target.width / 2, self._target.height / 2
+        x, y = self._target.across / 2, self._target.down / 2
         self._eye_distance = self._default_eye()
         return mat.look_at((x, y, self._eye_distance), (x, y, 0.0), (0.0, 1.0, 0.0))
 
@@ -152,7 +153,7 @@ class Camera(CanvasParts):
         """
         if not numbers:
             eye = self._default_eye()
-            aspect = self._target.width / self._target.height
+            aspect = self._target.across / self._target.down
             numbers = (FIELD_OF_VIEW, aspect, eye / FAR, eye * FAR)
         try:
             fov, aspect, near, far = (value + 0.0 for value in numbers)
@@ -192,7 +193,7 @@ class Camera(CanvasParts):
         >>> box(40)
         """
         if not numbers:
-            x, y = self._target.width / 2, self._target.height / 2
+            x, y = self._target.across / 2, self._target.down / 2
             numbers = (-x, x, -y, y)
         if len(numbers) == 4:
             numbers = (*numbers, 0.0, self._eye_distance * FAR)
@@ -246,7 +247,7 @@ class Camera(CanvasParts):
 
     def _flat_projection(self) -> mat.Mat4:
         """Return the projection of a flat canvas: a pixel is a pixel."""
-        return mat.ortho(0.0, self._target.width, -self._target.height, 0.0, -1.0, 1.0)
+        return mat.ortho(0.0, self._target.across, -self._target.down, 0.0, -1.0, 1.0)
 
     def printCamera(self) -> None:
         """Print the camera's matrix.
@@ -276,8 +277,9 @@ class Camera(CanvasParts):
             without hiding what comes later; ENABLE_DEPTH_SORT draws it from far to near, for
             transparency; ENABLE_STROKE_PERSPECTIVE makes far strokes thin;
             DISABLE_OPTIMIZED_STROKE draws each shape's outline before the next shape, so that it
-            shows through translucent ones. DISABLE and ENABLE of a name undo each other; both stay
-            in force from frame to frame.
+            shows through translucent ones; ENABLE_KEY_REPEAT has a held key call keyPressed()
+            again and again, as it does without P2D or P3D anyway. DISABLE and ENABLE of a name undo
+            each other; both stay in force from frame to frame.
 
         Raises
         ------
@@ -293,6 +295,8 @@ class Camera(CanvasParts):
         """
         if which not in HINTS:
             raise wrong_numbers("hint", (which,), HINT_USAGE)
+        if which in KEY_HINTS:
+            self._repeats_keys = KEY_HINTS[which]
         changes = STAGE_HINTS.get(which, {})
         if all(getattr(self._stage, name) == value for name, value in changes.items()):
             return
@@ -347,7 +351,7 @@ class Camera(CanvasParts):
             self._refuse(name, (x, y, z), PLACE_USAGE)
         cx, cy, cz, cw = mat.transform4(self._stage.projection, *eye)
         cw = cw or 1.0
-        width, height = self._target.width, self._target.height
+        width, height = self._target.across, self._target.down
         return width * (1 + cx / cw) / 2, height * (1 - cy / cw) / 2, (1 + cz / cw) / 2
 
     def modelX(self, x: float, y: float, z: float = 0.0) -> float:

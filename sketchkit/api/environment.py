@@ -71,7 +71,7 @@ class Environment(SketchParts):
         Parameters
         ----------
         *which : renderer, display
-            `P2D` or `P3D`, the number of a screen, both, or nothing.
+            `P2D` or `P3D`; the number of a screen, from 1, or `SPAN` for all of them together.
 
         Notes
         -----
@@ -80,14 +80,15 @@ class Environment(SketchParts):
         Examples
         --------
         >>> fullScreen()
-        >>> fullScreen(P3D)
+        >>> fullScreen(P3D, 2)
         """
         self._must_come_before_draw("fullScreen", None)
         renderers = [value for value in which if isinstance(value, str)]
+        display = next((value for value in which if isinstance(value, int)), None)
         self._format.renderer = known_renderer("fullScreen", renderers[0]) if renderers else JAVA2D
-        self._format.width, self._format.height = self._host.display_size
+        self._format.width, self._format.height = self._host.display_size(display)
         self._reformat()
-        self._host.set_fullscreen()
+        self._host.set_fullscreen(display)
 
     def smooth(self, level: int = 2) -> None:
         """Draw edges softly, as it is done without this call as well.
@@ -125,26 +126,27 @@ class Environment(SketchParts):
     @property
     @live
     def pixelDensity(self) -> LiveInt:
-        """How many pixels of the screen belong to one of the canvas each way: 1.
+        """How many pixels there are for one of the sketch's units, each way: 1 or 2.
 
-        As a function, `pixelDensity(2)`, it asks for another density. Here it stays 1, so that a
-        sketch gives the same picture everywhere.
+        On a screen of high density, as Apple's Retina, it is 2 by itself: all is drawn twice as
+        finely. As a function, `pixelDensity(1)`, it asks for another density; 2 only holds on such
+        a screen. `sketchkit render` has a screen of density 1, or what `--density` says.
 
         Examples
         --------
         >>> pixelDensity(1)
         >>> println(pixelDensity)
         """
-        return LiveInt(1, self._set_density)
+        return LiveInt(self._format.density, self._set_density)
 
     def displayDensity(self, display: int = 1) -> int:
-        """Return the highest density that `pixelDensity()` can set: 1.
+        """Return the highest density that `pixelDensity()` can set: 2 on fine screens, or 1.
 
         Examples
         --------
         >>> pixelDensity(displayDensity())
         """
-        return 1
+        return self._host.density
 
     @property
     @live
@@ -171,24 +173,24 @@ class Environment(SketchParts):
     @property
     @live
     def pixelWidth(self) -> int:
-        """Width of the canvas in pixels of the screen: the same as `width`, see `pixelDensity`.
+        """Columns of the canvas's pixels: `width` times `pixelDensity`.
 
         Examples
         --------
         >>> println(pixelWidth)
         """
-        return self.canvas.width
+        return self.canvas.target.width
 
     @property
     @live
     def pixelHeight(self) -> int:
-        """Height of the canvas in pixels of the screen: the same as `height`, see `pixelDensity`.
+        """Rows of the canvas's pixels: `height` times `pixelDensity`.
 
         Examples
         --------
         >>> println(pixelHeight)
         """
-        return self.canvas.height
+        return self.canvas.target.height
 
     @property
     @live
@@ -199,7 +201,7 @@ class Environment(SketchParts):
         --------
         >>> size(displayWidth // 2, displayHeight // 2)
         """
-        return self._host.display_size[0]
+        return self._host.display_size()[0]
 
     @property
     @live
@@ -210,7 +212,7 @@ class Environment(SketchParts):
         --------
         >>> size(displayWidth // 2, displayHeight // 2)
         """
-        return self._host.display_size[1]
+        return self._host.display_size()[1]
 
     @property
     @live
@@ -236,8 +238,12 @@ class Environment(SketchParts):
     def _set_density(self, density: int) -> None:
         if density not in (1, 2):
             raise SketchError("pixelDensity() takes 1 or 2.", got=f"pixelDensity({shown(density)})")
-        if density == 2:
-            warn_once("pixelDensity(2) has no effect: each unit of a sketch is one pixel.")
+        if density > self._host.density:
+            warn_once("pixelDensity(2) has no effect: this screen has no finer pixels.")
+        elif density != self._format.density:
+            self._must_come_before_draw("pixelDensity", None)
+            self._format.density = int(density)
+            self._reformat()
 
     def _must_come_before_draw(self, name: str, hint: str | None) -> None:
         if self.progress.phase is Phase.DRAW:

@@ -70,13 +70,13 @@ class PGraphics(
 
     @property
     def width(self) -> int:
-        """Columns of pixels."""
-        return self._target.width
+        """Width in the sketch's units."""
+        return self._target.across
 
     @property
     def height(self) -> int:
-        """Rows of pixels."""
-        return self._target.height
+        """Height in the sketch's units."""
+        return self._target.down
 
     @property
     def target(self) -> Target:
@@ -88,10 +88,17 @@ class PGraphics(
         """Whether something but a background was drawn since the last flush."""
         return self._recorder.has_shapes
 
-    def resize(self, width: int, height: int, renderer_name: str, samples: int) -> None:
+    @property
+    def repeats_keys(self) -> bool:
+        """Whether keys that repeat because they are held reach the sketch in P2D and P3D."""
+        return self._repeats_keys
+
+    def resize(
+        self, width: int, height: int, renderer_name: str, samples: int, density: int = 1
+    ) -> None:
         """Give the surface a size and a renderer; what was drawn is lost."""
         self._renderer.flush()
-        self._target.resize(width, height, samples)
+        self._target.resize(width, height, samples, density)
         self.size_pixels()
         is_3d = renderer_name == P3D
         self._stage = Stage(
@@ -109,10 +116,11 @@ class PGraphics(
         self._has_drawn = self._was_cleared = self._is_layered = False
 
     def offscreen(self, width: int, height: int, renderer_name: str, samples: int) -> PGraphics:
-        """Return another canvas, drawn on out of sight."""
-        canvas = PGraphics(self._renderer, Target(width, height, samples, top_row_first=False))
+        """Return another canvas of the same density, drawn on out of sight."""
+        density = self._target.density
+        canvas = PGraphics(self._renderer, Target(1, 1, top_row_first=False))
         canvas._is_offscreen = True
-        canvas.resize(width, height, renderer_name, samples)
+        canvas.resize(width, height, renderer_name, samples, density)
         return canvas
 
     def beginDraw(self) -> Block:
@@ -205,7 +213,8 @@ class PGraphics(
         >>> pg.smooth()
         """
         if self._is_offscreen and not self._has_drawn:
-            self._target.resize(self.width, self.height, SMOOTH_SAMPLES if level else 1)
+            samples, density = SMOOTH_SAMPLES if level else 1, self._target.density
+            self._target.resize(self.width, self.height, samples, density)
 
     def noSmooth(self) -> None:
         """Draw hard edges on a canvas of `createGraphics()`, called before it is drawn on.

@@ -114,7 +114,7 @@ class Images(CanvasParts):
             if d is None:
                 raise TypeError("a width without a height")
             return edges(self._image_mode, a, b, c, d)
-        width, height = pixels.width, pixels.height
+        width, height = pixels.across, pixels.down
         if self._image_mode == CENTER:  # by whole pixels
             a, b = a - (width >> 1), b - (height >> 1)
         return a, b, a + width, b + height
@@ -304,11 +304,10 @@ class Images(CanvasParts):
             self._refuse("clip", (a, b, c, d), CLIP_USAGE)
         # Processing hands the lower edge to OpenGL, counted from below, and cuts it off there.
         height = f32(bottom - top)
-        below = int(f32(f32(self._target.height - top) - height))
-        lower = self._target.height - below
-        self._restage(
-            clip=Clip(int(left), lower - int(height), int(f32(right - left)), int(height))
-        )
+        below = int(f32(f32(self._target.down - top) - height))
+        lower = self._target.down - below
+        box = int(left), lower - int(height), int(f32(right - left)), int(height)
+        self._restage(clip=Clip(*(self._target.density * side for side in box)))
 
     def noClip(self) -> None:
         """Draw everywhere again.
@@ -340,5 +339,5 @@ def edges(mode: int, a: float, b: float, c: float, d: float) -> Box:
 
 def _part(pixels: Texture, u1: float, v1: float, u2: float, v2: float) -> Box:
     """Return a part of an image, given in whole pixels, as a part of its texture."""
-    width, height = pixels.width, pixels.height
+    width, height = pixels.across, pixels.down
     return int(u1) / width, int(v1) / height, int(u2) / width, int(v2) / height

@@ -89,7 +89,7 @@ class Lettering(Typesetting, Images, Vertices):
     def _enlargement(self, x: float, y: float) -> float:
         """Return how many pixels of the screen a unit of the sketch is long, at a place."""
         if self._modelview is IDENTITY and not self._is_3d:
-            return 1.0
+            return float(self._target.density)
         screen = self._target.width, self._target.height
         return enlargement(self._modelview, self._stage.projection, screen, x, y)
 
@@ -111,8 +111,11 @@ class Lettering(Typesetting, Images, Vertices):
                 self._modelview, self._state = scale(begin, 1 / larger, 1 / larger), -1
                 self._pack_line(face.line(written), 0.0, 0.0, color)
             else:
-                if modelview is not IDENTITY:
-                    self._modelview, self._state = IDENTITY, -1
+                density = self._target.density
+                in_pixels = IDENTITY if density == 1 else scale(IDENTITY, 1 / density, 1 / density)
+                if modelview is not in_pixels:
+                    self._modelview, self._state = in_pixels, -1
+                left, top = left * density, top * density
                 self._pack_line(face.line(written), int(left + 0.5), int(top + 0.5), color)
             y = f32(y + typography.leading)
 

@@ -10,6 +10,8 @@ import builtins
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from sketchkit.assets.paths import note_read, note_written
+
 Arguments = tuple[object, ...]
 
 
@@ -110,6 +112,8 @@ def opener(folder: Path) -> Callable[..., object]:
         if isinstance(file, str) and "r" in mode and not Path(file).exists():
             beside = folder / "data" / file
             file = str(beside) if beside.exists() else file
+        if isinstance(file, str | Path):
+            (note_read if mode.startswith("r") else note_written)(Path(file))
         return builtins.open(file, mode, *args, **named)  # type: ignore[call-overload] # Python checks
 
     return open

@@ -27,6 +27,7 @@ from sketchkit.api.windows import Windows
 from sketchkit.assets.network import allow_network
 from sketchkit.assets.paths import set_sketch_folder
 from sketchkit.core.clock import Clock, VirtualClock
+from sketchkit.core.constants import FX2D, JAVA2D
 from sketchkit.core.noise import PerlinNoise
 from sketchkit.core.rng import JavaRandom
 from sketchkit.core.turns import Turns
@@ -86,8 +87,8 @@ class Sketch(
         self.namespace = {}
         self.handlers = {}
         self._recordings = {}
-        self._format = Format()
         self._host = host or NoWindow()
+        self._format = Format(density=self._host.density)
         self._clock = clock or VirtualClock()
         self._turns = Turns(self._clock.millis)
         self._random = JavaRandom(seed)
@@ -101,6 +102,15 @@ class Sketch(
         """Begin as if `noSmooth()` had been called."""
         self._format.smoothing = 0
         self._reformat()
+
+    @property
+    def is_java2d(self) -> bool:
+        """Whether it has asked for no renderer, so that its window is as JAVA2D's."""
+        return self._format.renderer in (JAVA2D, FX2D)
+
+    def set_key(self, key: object) -> None:
+        """Take what one of its functions has set `key` to: a character, or a number such as 0."""
+        self.keyboard.key = chr(key) if isinstance(key, int) else str(key)
 
     def attach(self, namespace: Mapping[str, object], publish: Callable[[], None]) -> None:
         """Belong to a program: to what its file has defined, and to what publishes live values."""

@@ -161,7 +161,7 @@ class Vertices(Pen):
         try:
             if shape.first_uv is not None:
                 if shape.texture is not None and self._texture_mode == c.IMAGE:
-                    u, v = u / shape.texture.width, v / shape.texture.height
+                    u, v = u / shape.texture.across, v / shape.texture.down
                 pack_uv(recorder.uvs, recorder.uv_end, u, v)
             color = self._corner_fill(shape)
             pack_corner(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from sketchkit.api._sketch_parts import SketchParts
-from sketchkit.api.host import PSurface
+from sketchkit.api.host import PSurface, picture_of
 from sketchkit.api.live import live
+from sketchkit.api.pimage import PImage
 from sketchkit.core.constants import ARROW, CROSS, HAND, MOVE, TEXT, WAIT
 from sketchkit.core.errors import SketchError, shown, wrong_numbers
 
@@ -104,20 +105,20 @@ class Windows(SketchParts):
         """
         self.windowResizable(resizable)
 
-    def cursor(self, kind: int = ARROW, *hotspot: float) -> None:
-        """Show the pointer, in one of its shapes.
+    def cursor(self, kind: int | PImage = ARROW, *hotspot: float) -> None:
+        """Show the pointer, in one of its shapes or as an image.
 
         Parameters
         ----------
-        kind : ARROW, CROSS, HAND, MOVE, TEXT or WAIT
-            The shape.
-        *hotspot : float
-            Not used: it belongs to pointers made from images.
+        kind : ARROW, CROSS, HAND, MOVE, TEXT, WAIT or PImage
+            The shape; an image should have 16 by 16 or 32 by 32 pixels.
+        *hotspot : 2 float, pixels
+            Which place of the image it is that points: x and y. Without them, its middle.
 
         Raises
         ------
         SketchError
-            If there is no such shape.
+            If there is no such shape, or the hot spot is not in the image.
 
         See Also
         --------
@@ -127,9 +128,12 @@ class Windows(SketchParts):
         --------
         >>> cursor(CROSS)
         """
+        if isinstance(kind, PImage):
+            self._show_image(kind, hotspot)
+            return
         if kind not in CURSORS:
             raise SketchError(
-                "cursor() takes ARROW, CROSS, HAND, MOVE, TEXT or WAIT.",
+                "cursor() takes ARROW, CROSS, HAND, MOVE, TEXT, WAIT or an image.",
                 got=f"cursor({shown(kind)})",
             )
         self._host.set_cursor(kind)
@@ -142,6 +146,21 @@ class Windows(SketchParts):
         >>> noCursor()
         """
         self._host.set_cursor(None)
+
+    def _show_image(self, image: PImage, hotspot: tuple[float, ...]) -> None:
+        """Show the pointer as an image."""
+        width, height = image.width, image.height
+        usage = "image [, x, y]"
+        try:
+            x, y = map(int, hotspot or (width // 2, height // 2))
+        except (TypeError, ValueError):
+            raise wrong_numbers("cursor", (image, *hotspot), usage) from None
+        if not (0 <= x < width and 0 <= y < height):
+            raise SketchError(
+                f"The place that points must be in the image: {width} by {height} pixels.",
+                got=f"cursor(image, {x}, {y})",
+            )
+        self._host.set_cursor_image(picture_of("cursor", image), x, y)
 
     @property
     @live

@@ -47,6 +47,13 @@ WRONG_CALL = 2  # exit status
     type=click.Choice(RENDERERS),
     help="What draws. Without it OpenGL, and the CPU renderer where there is no OpenGL.",
 )
+@click.option(
+    "--density",
+    type=click.IntRange(1, 2),
+    default=1,
+    show_default=True,
+    help="Pixels for each unit of the sketch, each way: 2 as on a screen of high density.",
+)
 @click.option("--seed", default=0, show_default=True, help="Where random() and noise() begin.")
 @click.option(
     "--input",
@@ -67,6 +74,7 @@ def command(  # noqa: PLR0913 # click hands over each option
     numbers: tuple[int, ...],
     out: Path,
     renderer: str | None,
+    density: int,
     seed: int,
     events: Path | None,
     record_path: Path | None,
@@ -90,7 +98,9 @@ def command(  # noqa: PLR0913 # click hands over each option
     replay = _replay(events)
     for sketch, folder in folders.items():
         try:
-            launch = Launch(sketch, _teller(record), seed, replay=replay, python=python)
+            launch = Launch(
+                sketch, _teller(record), seed, replay=replay, python=python, density=density
+            )
             _render_one(launch, folder, numbers, record)
         except StoppedError as stopped:
             say.mistake(stopped.report, with_traceback=traceback)

@@ -48,6 +48,16 @@ class Pixels:
         """Rows of the image."""
         return int(self.data.shape[0])
 
+    @property
+    def across(self) -> int:
+        """Width in the sketch's units: an image has a pixel for each."""
+        return self.width
+
+    @property
+    def down(self) -> int:
+        """Height in the sketch's units."""
+        return self.height
+
 
 @dataclass(eq=False)
 class Target:
@@ -55,9 +65,12 @@ class Target:
 
     Attributes
     ----------
-    width, height : int, pixels
+    width, height : int
+        Columns and rows of pixels.
     samples : int
         1 or 4 per pixel.
+    density : int
+        How many pixels there are for each unit of the sketch, each way.
     top_row_first : bool
         Which way up it is rendered. The main canvas keeps row 0 of its buffer at the top of the
         picture, an offscreen one at the bottom: only so do the places of the samples and the fill
@@ -74,15 +87,27 @@ class Target:
     top_row_first: bool = True
     version: int = 0
     is_noted: bool = False
+    density: int = 1
+
+    @property
+    def across(self) -> int:
+        """Width in the sketch's units."""
+        return self.width // self.density
+
+    @property
+    def down(self) -> int:
+        """Height in the sketch's units."""
+        return self.height // self.density
 
     def turn_over(self) -> None:
         """Render it the other way up from now on."""
         self.top_row_first = not self.top_row_first
 
-    def resize(self, width: int, height: int, samples: int) -> None:
-        """Give the surface another size; what was drawn on it is lost."""
-        if (width, height, samples) != (self.width, self.height, self.samples):
-            self.width, self.height, self.samples = width, height, samples
+    def resize(self, across: int, down: int, samples: int, density: int) -> None:
+        """Give the surface another size, in units; what was drawn on it is lost."""
+        wanted = across * density, down * density, samples, density
+        if wanted != (self.width, self.height, self.samples, self.density):
+            self.width, self.height, self.samples, self.density = wanted
             self.version += 1
 
 

@@ -156,7 +156,7 @@ class Rows:
         solid = np.array([stage.is_3d for stage in stages], np.bool_)
         for stage in dict.fromkeys(stage for stage in stages if stage.is_3d):
             mine = solid & np.array([other is stage for other in stages])
-            width, height = stage.target.width, stage.target.height
+            width, height = stage.target.across, stage.target.down
             cx, cy, _, cw = project(stage.projection, ex[mine], ey[mine], ez[mine])
             sx[mine] = (cx / cw + 1) * width / 2
             sy[mine] = (1 - cy / cw) * height / 2

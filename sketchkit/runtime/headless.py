@@ -9,7 +9,7 @@ from pathlib import Path
 from time import perf_counter
 
 from sketchkit.api.graphics import PGraphics
-from sketchkit.api.host import Host
+from sketchkit.api.host import Host, NoWindow
 from sketchkit.api.sketch import Sketch
 from sketchkit.core.clock import Clock, VirtualClock
 from sketchkit.draw.backend import Backend
@@ -69,6 +69,8 @@ class Launch:
         What happens with mouse and keys.
     python : 2 or 3, optional
         Which Python it is written in. Without it, the end of its name tells.
+    density : int
+        Without a window: 1 or 2 pixels for each unit of the sketch, each way.
     """
 
     path: Path
@@ -77,6 +79,7 @@ class Launch:
     args: Sequence[str] = ()
     replay: Replay = field(default_factory=Replay)
     python: int | None = None
+    density: int = 1
 
 
 def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator[Frame]:
@@ -119,7 +122,7 @@ def opened(
     sketch = Sketch(
         PGraphics(renderer, Target(FIRST_SIZE, FIRST_SIZE)),
         clock=clock,
-        host=host,
+        host=host or NoWindow(launch.density),
         folder=source.path.parent,
         args=launch.args,
         seed=launch.seed,

@@ -104,7 +104,7 @@ class Player:
         fields = dict(zip(TARGET_FIELDS, state, strict=True))
         width, height = int(fields["width"]), int(fields["height"])
         _check(0 < width <= LONGEST_SIDE and 0 < height <= LONGEST_SIDE)
-        _check(fields["samples"] in (1, 4))
+        _check(fields["samples"] in (1, 4) and fields["density"] in (1, 2))
         target = self.resources.setdefault(number, Target(width, height))
         for name, field in fields.items():
             setattr(target, name, field)

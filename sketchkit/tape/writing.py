@@ -16,7 +16,7 @@ from sketchkit.tape.messages import Message
 from sketchkit.tape.recorders import encode_recorder
 from sketchkit.tape.values import Encoder, Resource
 
-TARGET_FIELDS = ("width", "height", "samples", "top_row_first", "version", "is_noted")
+TARGET_FIELDS = ("width", "height", "samples", "top_row_first", "version", "is_noted", "density")
 SOURCE_FIELDS = ("vertex", "fragment", "kind")
 
 Send = Callable[[Message], None]

@@ -20,7 +20,7 @@ class CanvasPages:
 
     def begin(self, target: Target) -> Page:
         """Return an empty page for a canvas."""
-        page = self._pages[target] = Page(target.width, target.height)
+        page = self._pages[target] = Page(target.across, target.down)
         return page
 
     def page(self, target: Target) -> Page:

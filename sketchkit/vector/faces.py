@@ -91,7 +91,7 @@ class Batch(NamedTuple):
         """Return lengths across strokes in pixels, (n,), at places in eye space."""
         if not self.pipeline.stroke_perspective:
             return lengths * self.weight_scale
-        across = abs(self.pipeline.projection[0]) * self.pipeline.target.width / 2
+        across = abs(self.pipeline.projection[0]) * self.pipeline.target.across / 2
         return lengths * self.weight_scale * across / project(self.pipeline.projection, *eye.T)[3]
 
 

@@ -119,5 +119,5 @@ def on_screen(projection: Mat4, target: Target, eye: F64) -> F64:
     x, y, z, w = project(projection, *eye.T)
     w = np.where(w > 0, w, np.nan)
     return np.stack(
-        [(x / w + 1) * target.width / 2, (1 - y / w) * target.height / 2, -z / w], axis=1
+        [(x / w + 1) * target.across / 2, (1 - y / w) * target.down / 2, -z / w], axis=1
     )

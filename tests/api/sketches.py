@@ -30,8 +30,8 @@ class RecordingHost(NoWindow):
     def set_cursor(self, kind: int | None) -> None:
         self.asked.append(("cursor", kind))
 
-    def set_fullscreen(self) -> None:
-        self.asked.append(("fullscreen",))
+    def set_fullscreen(self, display: int | None = None) -> None:
+        self.asked.append(("fullscreen", display))
 
 
 def new_sketch(host: NoWindow | None = None, folder: Path | None = None) -> Sketch:

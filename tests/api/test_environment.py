@@ -1,7 +1,7 @@
 import pytest
 
 from sketchkit.api._sketch_parts import Phase
-from sketchkit.core.constants import P2D, P3D
+from sketchkit.core.constants import P2D, P3D, SPAN
 from sketchkit.core.errors import SketchError
 from sketchkit.core.notices import SketchWarning
 from tests.api.sketches import RecordingHost, new_sketch
@@ -70,18 +70,36 @@ def test_noSmooth_in_draw_is_too_late() -> None:
     assert sketch.canvas.target.samples == 4
 
 
-@pytest.mark.parametrize("args", [(), (P2D,), (1,), (P3D, 1)])
-def test_fullScreen_is_as_large_as_the_screen(args: tuple[str | int, ...]) -> None:
+@pytest.mark.parametrize(
+    ("args", "display"), [((), None), ((P2D,), None), ((1,), 1), ((P3D, 1), 1), ((SPAN,), 0)]
+)
+def test_fullScreen_is_as_large_as_the_screen(
+    args: tuple[str | int, ...], display: int | None
+) -> None:
     host = RecordingHost()
     sketch = new_sketch(host)
 
     sketch.fullScreen(*args)
 
     assert (sketch.width, sketch.height) == (sketch.displayWidth, sketch.displayHeight)
-    assert host.asked == [("fullscreen",)]
+    assert host.asked == [("fullscreen", display)]
 
 
-def test_density_is_one() -> None:
+@pytest.mark.parametrize("args", [(2,), (P3D, 2)])
+def test_fullScreen_can_be_on_another_screen(args: tuple[str | int, ...]) -> None:
+    class TwoScreens(RecordingHost):
+        def display_size(self, display: int | None = None) -> tuple[int, int]:
+            return {None: (1920, 1080), 2: (800, 600)}[display]
+
+    sketch = new_sketch(TwoScreens())
+
+    sketch.fullScreen(*args)
+
+    assert (sketch.width, sketch.height) == (800, 600)
+    assert (sketch.displayWidth, sketch.displayHeight) == (1920, 1080)
+
+
+def test_density_is_one_on_an_ordinary_screen() -> None:
     sketch = new_sketch()
 
     sketch.pixelDensity(1)
@@ -90,3 +108,25 @@ def test_density_is_one() -> None:
 
     assert sketch.pixelDensity == sketch.displayDensity() == 1
     assert sketch.pixelWidth == sketch.width
+
+
+def test_fine_screen_has_two_pixels_for_a_unit() -> None:
+    host = RecordingHost()
+    host.density = 2
+    sketch = new_sketch(host)
+
+    sketch.size(30, 20)
+
+    assert (sketch.width, sketch.pixelWidth, sketch.pixelHeight) == (30, 60, 40)
+    assert sketch.pixelDensity == sketch.displayDensity() == 2
+
+
+def test_pixelDensity_of_one_holds_on_a_fine_screen_too() -> None:
+    host = RecordingHost()
+    host.density = 2
+    sketch = new_sketch(host)
+
+    sketch.size(30, 20)
+    sketch.pixelDensity(1)
+
+    assert (sketch.width, sketch.pixelWidth) == (30, 30)

@@ -77,7 +77,7 @@ def test_a_resized_target_begins_anew() -> None:
     target, backend = Target(4, 3), CpuBackend()
     backend.execute(DrawList([Clear(target, (9, 9, 9, 9))]))
 
-    target.resize(5, 2, 1)
+    target.resize(5, 2, 1, 1)
 
     assert backend.read(target).shape == (2, 5, 4)
     assert not backend.read(target).any()

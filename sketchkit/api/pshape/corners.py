@@ -239,7 +239,7 @@ class ShapeCorners(ShapeParts):
             if old is not None:
                 uvs *= (old.width, old.height)
             if texture is not None:
-                uvs /= (texture.width, texture.height)
+                uvs /= (texture.across, texture.down)
         runs = recorder.shapes
         runs[:] = [run._replace(texture=texture, first_uv=run.first) for run in runs]
         fill = self._fill if texture is None or self._fill >= 0 else ~self._fill

@@ -278,7 +278,7 @@ class ShapeVertices(ShapeCorners):
         except TypeError:
             raise wrong_numbers("setTextureUV", (index, u, v), "index, u, v") from None
         if texture is not None and self._texture_mode == c.IMAGE:
-            u, v = u / texture.width, v / texture.height
+            u, v = u / texture.across, v / texture.down
         self._ensure_uvs()
         self._recorder.uv_array()[corner] = u, v
         self._edit(Quality.UV, corner)

@@ -43,4 +43,4 @@ def _offset(clip: F32, offsets: F32, pipeline: Pipeline) -> F32:
 
 
 def _size(pipeline: Pipeline) -> F32:
-    return np.array([pipeline.target.width, pipeline.target.height], np.float32)
+    return np.array([pipeline.target.across, pipeline.target.down], np.float32)

@@ -77,7 +77,7 @@ class BuiltInProgram:
                 "projection": transpose4(pipeline.projection),  # GLSL has columns for our rows
                 "y_sign": y_sign,
                 "v_range": _v_range(pipeline.texture),
-                "viewport": (target.width, target.height),
+                "viewport": (target.across, target.down),
                 "line_scale": pipeline.line_scale,
                 "perspective": pipeline.stroke_perspective,
             }
