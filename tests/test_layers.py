@@ -61,6 +61,7 @@ RULES = {
         ("numpy",),
         late=("watchfiles", "av"),
     ),
+    "runtime.screens": Rule(("core",), ("glfw",)),
     "runtime.window": Rule(
         (*BELOW_API, "api", "libraries", "backends", "runtime"), ("numpy", "glfw")
     ),

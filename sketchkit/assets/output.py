@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from sketchkit.assets.paths import note_written
 from sketchkit.core.errors import SketchError
 
 U8 = NDArray[np.uint8]
@@ -40,6 +41,7 @@ def write_file(path: Path, data: bytes) -> None:
     try:
         part.write_bytes(data)
         os.replace(part, path)
+        note_written(path)
     except BaseException:
         part.unlink(missing_ok=True)
         raise

@@ -11,17 +11,36 @@ from pathlib import Path
 from sketchkit.core.errors import SketchError, nearest, shown
 
 _sketch_folder = Path()
+_read: set[Path] = set()
+_written: set[Path] = set()
 
 
 def set_sketch_folder(folder: Path) -> None:
     """Say where the running sketch lies."""
     global _sketch_folder
     _sketch_folder = folder
+    _read.clear()
+    _written.clear()
 
 
 def sketch_folder() -> Path:
     """Return where the running sketch lies."""
     return _sketch_folder
+
+
+def note_read(path: Path) -> None:
+    """Take that the running sketch has read a file."""
+    _read.add(path.absolute())
+
+
+def note_written(path: Path) -> None:
+    """Take that the running sketch has written a file."""
+    _written.add(path.absolute())
+
+
+def files_read() -> set[Path]:
+    """Return the files that the running sketch has read and has not written itself."""
+    return _read - _written
 
 
 def search_folders() -> list[Path]:
@@ -53,6 +72,7 @@ def find_file(caller: str, filename: str) -> Path:
     places = [folder / name for folder in search_folders()]
     for path in places:
         if path.is_file():
+            note_read(path)
             return path
     folders = dict.fromkeys(path.parent for path in places)
     known = nearest(name.name, _names(list(folders)))

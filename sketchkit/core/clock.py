@@ -1,6 +1,7 @@
 """What time it is for a sketch: the computer's, or one that is the same at every render."""
 
 import time
+from collections.abc import Callable
 from datetime import datetime
 from typing import Protocol
 
@@ -62,14 +63,23 @@ class VirtualClock:
 
 
 class RealClock:
-    """The computer's own clock; milliseconds count from when it is made."""
+    """The computer's own clock; milliseconds count from when it is made.
 
-    def __init__(self) -> None:
-        self._start_s = time.monotonic()
+    Parameters
+    ----------
+    now : callable
+        Returns the time in seconds, from whenever.
+    """
+
+    def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
+        self._now = now
+        self._since_s = now()
+        self._passed_s = 0.0  # until then
+        self._speed = 1.0
 
     def millis(self) -> int:
         """Return the milliseconds since the start."""
-        return int((time.monotonic() - self._start_s) * 1000)
+        return int(self._elapsed_s() * 1000)
 
     def wait(self, milliseconds: float) -> None:
         """Sleep."""
@@ -78,3 +88,16 @@ class RealClock:
     def now(self) -> datetime:
         """Return the local date and time."""
         return datetime.now()
+
+    def run_at(self, speed: float) -> None:
+        """Let time pass faster or slower from now on; at 0 it stands still."""
+        if speed != self._speed:
+            self._passed_s, self._since_s = self._elapsed_s(), self._now()
+            self._speed = speed
+
+    def skip(self, seconds: float) -> None:
+        """Let some time pass at once."""
+        self._passed_s += seconds
+
+    def _elapsed_s(self) -> float:
+        return self._passed_s + (self._now() - self._since_s) * self._speed

@@ -9,18 +9,18 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from sketchkit.api.events import KeyEvent, MouseEvent
-from sketchkit.core.constants import ESC
+from sketchkit.core.constants import BACKSPACE, DELETE, ENTER, ESC, TAB
 from sketchkit.runtime.loader import Program
 
 
 @dataclass(frozen=True)
 class WindowEvent:
-    """The window has been moved or has got another size.
+    """The window has been moved, has got another size, or gets keys or no more.
 
     Attributes
     ----------
     handler : str
-        `windowMoved` or `windowResized`.
+        `windowMoved`, `windowResized`, `focusGained` or `focusLost`.
     size : (width, height), pixels, or None
         The size that it has got.
     """
@@ -46,6 +46,7 @@ KEY_HANDLERS = {
     KeyEvent.RELEASE: "keyReleased",
     KeyEvent.TYPE: "keyTyped",
 }
+UNTYPED = (BACKSPACE, TAB, ENTER, ESC, DELETE)  # in P2D and P3D: they only go down and up
 PLACING = (MouseEvent.PRESS, MouseEvent.DRAG, MouseEvent.MOVE)  # these say where the pointer is
 
 
@@ -59,6 +60,8 @@ def dispatch(program: Program, event: AnyEvent) -> None:
         case WindowEvent(handler=handler, size=size):
             if size:
                 program.sketch.follow_window(*size)
+            elif handler == "focusLost":
+                program.sketch.keyboard.held.clear()
             program.call(handler)
 
 
@@ -82,6 +85,8 @@ def _dispatch_mouse(program: Program, event: MouseEvent) -> None:
 
 def _dispatch_key(program: Program, event: KeyEvent) -> None:
     keyboard = program.sketch.keyboard
+    if not _is_heard(program, event):
+        return
     keyboard.event = event
     keyboard.key, keyboard.code = event.key, event.keyCode
     if event.action == KeyEvent.PRESS:
@@ -89,5 +94,18 @@ def _dispatch_key(program: Program, event: KeyEvent) -> None:
     elif event.action == KeyEvent.RELEASE:
         keyboard.held.discard(event.keyCode)
     program.call(KEY_HANDLERS[event.action], event)
-    if event.action == KeyEvent.PRESS and event.key == ESC:
+    if event.action == KeyEvent.PRESS and keyboard.key == ESC:  # `key = 0` in the handler keeps it
         program.sketch.exit()
+
+
+def _is_heard(program: Program, event: KeyEvent) -> bool:
+    """Return whether a key reaches the sketch: Processing's two kinds of windows differ.
+
+    That of the default renderer hands on all; that of P2D and P3D no key that repeats because it
+    is held, unless the sketch wants it, and no typing of keys without a printed character.
+    """
+    if program.sketch.is_java2d:
+        return True
+    if event.is_repeat and not program.sketch.canvas.repeats_keys:
+        return False
+    return event.action != KeyEvent.TYPE or event.key not in UNTYPED

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from sketchkit.api.events import Event, KeyEvent
 from sketchkit.core import constants as c
 
-# Keys that have a character, but type none.
+# Keys that always have the same character; no layout has another.
 CHARACTERS = {
     256: (c.ESC, 27),
     257: (c.ENTER, 10),
@@ -46,6 +46,8 @@ CODED_KEYS = {
     345: c.CONTROL,
     346: c.ALT,
     347: 157,
+    348: 525,  # Menu
+    **{302 + number: 61440 + number for number in range(12)},  # F13 to F24
     **{290 + number: 112 + number for number in range(12)},  # F1 to F12
 }
 
@@ -90,7 +92,7 @@ class Keys:
         events = self.settle()
         press = Press(code, modifiers, is_repeat, millis)
         if code in CHARACTERS:
-            return events + self._pressed(press, *CHARACTERS[code])
+            return events + self._typed(press, *CHARACTERS[code])
         if code in CODED_KEYS:
             return events + self._pressed(press, c.CODED, CODED_KEYS[code])
         self._waiting = press
@@ -101,24 +103,23 @@ class Keys:
         press, self._waiting = self._waiting, None
         if press is None:
             return [KeyEvent(KeyEvent.TYPE, key=text)]
-        events = self._pressed(press, text, _code(press.code, text))
-        typed = KeyEvent(KeyEvent.TYPE, events[0].modifiers, press.millis, text)
-        return [*events, typed]
+        return self._typed(press, text, _code(press.code, text))
 
     def settle(self) -> list[KeyEvent]:
         """Return the press that still waits: no character has come, as with Control held."""
         press, self._waiting = self._waiting, None
         if press is None:
             return []
-        text = chr(press.code).lower() if press.code < 128 else c.CODED
+        text = chr(press.code).lower() if 0 < press.code < 128 else c.CODED
         if press.modifiers & CONTROL_MODIFIER and text.isalpha():
             text = chr(ord(text.upper()) - 64)  # as terminals and Java have it: Ctrl+A is 1
-        return self._pressed(press, text, JAVA_CODES.get(press.code, press.code))
+            return self._typed(press, text, press.code)
+        return self._pressed(press, text, JAVA_CODES.get(press.code, max(press.code, 0)))
 
     def release(self, code: int, modifiers: int, *, millis: int = 0) -> list[KeyEvent]:
         """Take a key that came up."""
         events = self.settle()
-        text, java_code = self._down.pop(code, (c.CODED, CODED_KEYS.get(code, code)))
+        text, java_code = self._down.pop(code, (c.CODED, CODED_KEYS.get(code, max(code, 0))))
         action, held = KeyEvent.RELEASE, modifiers_of(modifiers)
         return [*events, KeyEvent(action, held, millis, text, java_code)]
 
@@ -127,6 +128,11 @@ class Keys:
         held = modifiers_of(press.modifiers)
         event = KeyEvent(KeyEvent.PRESS, held, press.millis, text, java_code, press.is_repeat)
         return [event]
+
+    def _typed(self, press: Press, text: str, java_code: int) -> list[KeyEvent]:
+        events = self._pressed(press, text, java_code)
+        held, is_repeat = events[0].modifiers, press.is_repeat
+        return [*events, KeyEvent(KeyEvent.TYPE, held, press.millis, text, is_repeat=is_repeat)]
 
 
 def modifiers_of(modifiers: int) -> int:
@@ -138,4 +144,4 @@ def _code(code: int, text: str) -> int:
     """Return keyCode: that of the letter or digit itself, wherever the layout has its key."""
     if text.isascii() and text.isalnum() and code < 128:
         return ord(text.upper())
-    return JAVA_CODES.get(code, code)
+    return JAVA_CODES.get(code, max(code, 0))  # a key that GLFW does not know is -1

@@ -18,7 +18,7 @@ from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
 from types import ModuleType, TracebackType
-from typing import TextIO
+from typing import NamedTuple, TextIO
 
 import numpy as np
 
@@ -29,6 +29,7 @@ from sketchkit.assets.paths import set_sketch_folder, sketch_folder
 from sketchkit.core import running
 from sketchkit.core.notices import SketchWarning
 from sketchkit.runtime.adding import adder
+from sketchkit.runtime.carrying import adopt, carry
 from sketchkit.runtime.checks import (
     begins_without_smoothing,
     refuse_drawing_before_size,
@@ -43,7 +44,23 @@ Handler = Callable[..., object]
 Tell = Callable[[Path, int, str], None]
 
 FLAGS = ("keyPressed", "mousePressed")  # both a value and a function of the sketch
+KEY_HANDLERS = ("keyPressed", "keyReleased", "keyTyped")  # these may set `key`
 MODULE = "__main__"  # so that `if __name__ == "__main__":` holds
+
+
+class _Parts(NamedTuple):
+    """What a program consists of, apart from its sketch."""
+
+    module: ModuleType
+    source: Source
+    sources: dict[str, Source]
+    siblings: dict[str, ModuleType]
+    handlers: dict[str, Handler]
+
+    @property
+    def namespace(self) -> Names:
+        """What the module has defined."""
+        return vars(self.module)
 
 
 class Program:
@@ -69,14 +86,11 @@ class Program:
     """
 
     def __init__(self, source: Source, sketch: Sketch, tell: Tell) -> None:
-        self.source = source
         self.sketch = sketch
         values = live_values(sketch)
         own = names_of(sketch)
         self.names: Names = vars(builtins) | own
-        self.module = ModuleType(MODULE)
-        self.namespace: Names = vars(self.module)
-        self.namespace |= {"__builtins__": self.names, "__file__": str(source.path)}
+        self._begin(source)
         self._tell = tell
         self._running = running.Running(self.names, [name for name in own if name not in values])
         self._unhidden = set(values)  # live values of which the sketch has not been told
@@ -87,7 +101,7 @@ class Program:
         if source.python == 2:
             self.names |= python_mode_names(family)
         self._restore = ExitStack()
-        sketch.attach(self.namespace, self.publish)
+        self._kept = self._parts()
 
     @property
     def files(self) -> list[Path]:
@@ -140,11 +154,67 @@ class Program:
         if begins_without_smoothing(self.source):
             self.sketch.start_without_smoothing()
         exec(self.source.code, self.namespace)
+        self._take_handlers()
+        self._tell_of_hidden_values()
+
+    def exchange(self, source: Source) -> None:
+        """Run another text of the sketch in place of this one; its variables keep their values.
+
+        Its modules are run anew as well. See `carrying` for what survives.
+
+        Raises
+        ------
+        Exception
+            Whatever the new text raises; `put_back` then makes the sketch what it was.
+        """
+        refuse_hidden_modules(source)
+        old = self._kept = self._parts()
+        self.sources.update({str(source.path): source})
+        self._finder.forget()
+        self._begin(source)
+        sys.modules[MODULE] = self.module
+        exec(source.code, self.namespace)
+        carry(old.namespace, self.namespace, old.source, source)
+        for name, module in old.siblings.items():
+            if (file := getattr(module, "__file__", None)) in self.sources and name in sys.modules:
+                texts = old.sources[file], self.sources[file]
+                carry(vars(module), vars(sys.modules[name]), *texts)
+        modules = [vars(sys.modules[name]) for name in self._finder.found if name in sys.modules]
+        adopt([self.namespace, *modules])
+        self.sketch.handlers.clear()
+        self._take_handlers()
+
+    def put_back(self) -> None:
+        """Make the sketch what it was before the last `exchange`."""
+        self.module, self.source, sources, siblings, handlers = self._kept
+        self.namespace = vars(self.module)
+        self.sources.clear()
+        self.sources.update(sources)
+        self._finder.forget()
+        sys.modules.update(siblings)
+        sys.modules[MODULE] = self.module
+        self.sketch.handlers.update(handlers)
+        self.sketch.attach(self.namespace, self.publish)
+
+    def _parts(self) -> _Parts:
+        siblings = {n: sys.modules[n] for n in self._finder.found if n in sys.modules}
+        handlers = dict(self.sketch.handlers)
+        return _Parts(self.module, self.source, dict(self.sources), siblings, handlers)
+
+    def _begin(self, source: Source) -> None:
+        """Make an empty module for a text."""
+        self.source = source
+        self.module = ModuleType(MODULE)
+        self.namespace = vars(self.module)
+        self.namespace |= {"__builtins__": self.names, "__file__": str(source.path)}
+        self.sketch.attach(self.namespace, self.publish)
+
+    def _take_handlers(self) -> None:
+        """Take the functions whose names are values too out of the sketch's namespace."""
         for name in FLAGS:
             if handler := self._function(name):
                 self.sketch.handlers[name] = handler
                 del self.namespace[name]  # so that the value of this name is seen: it calls this
-        self._tell_of_hidden_values()
 
     def has(self, name: str) -> bool:
         """Tell whether the sketch defines a function."""
@@ -171,10 +241,13 @@ class Program:
         if function is None:
             return
         self.publish()
+        may_set_key = name in KEY_HANDLERS and "key" not in self.namespace
         if event is not None and _takes_an_argument(function):
             function(event)
         else:
             function()
+        if may_set_key and "key" in self.namespace:
+            self.sketch.set_key(self.namespace.pop("key"))
         self._tell_of_hidden_values()
 
     def publish(self) -> None:

@@ -7,11 +7,14 @@ from __future__ import annotations
 
 import sys
 from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from sketchkit.api._sketch_parts import Phase
-from sketchkit.runtime.events import AnyEvent, dispatch
+from sketchkit.runtime.events import AnyEvent, WindowEvent, dispatch
 from sketchkit.runtime.loader import Program
 
+OVERTAKEN = ("windowMoved", "windowResized")  # of several in a frame, the last one counts
 LAST_CALLS = ("stop", "dispose")  # what Processing calls at the end, if the sketch has them
 
 
@@ -37,6 +40,7 @@ class Loop:
         self._canvas = program.sketch.canvas
         self._progress = program.sketch.progress
         self._events: deque[AnyEvent] = deque()
+        self._window_events: list[WindowEvent] = []
 
     @property
     def frame_count(self) -> int:
@@ -72,18 +76,43 @@ class Loop:
         self._canvas.end_frame()
         self._raise_failures()
 
+    @contextmanager
+    def running_first_lines(self) -> Iterator[None]:
+        """Let a block do what belongs to a sketch's own lines, such as `size()`."""
+        self._progress.phase = Phase.LOADING
+        self._canvas.begin_frame()
+        try:
+            yield
+        finally:
+            self._progress.phase = Phase.DRAW
+            self._canvas.end_frame()
+
     def post(self, event: AnyEvent) -> None:
-        """Have an event handled after the next `draw()`, or at the next step if there is none."""
-        self._events.append(event)
+        """Have an event handled in the next step.
+
+        Mouse and keys come after `draw()`. What happens to the window comes before it, so that a
+        picture of the new size is drawn; also after `noLoop()`, as the old picture is lost.
+        """
+        if not isinstance(event, WindowEvent):
+            self._events.append(event)
+            return
+        if event.handler in OVERTAKEN:
+            others = [other for other in self._window_events if other.handler != event.handler]
+            self._window_events = others
+        self._window_events.append(event)
+        if event.size:
+            self._progress.is_redraw_due = True
 
     def step(self) -> bool:
         """Draw a frame if one is due, and handle what has happened; tell whether there was any."""
         self._raise_failures()
         is_drawing = self.is_drawing
         calls = self._progress.due_calls
-        if not (is_drawing or self._events or calls):
+        if not (is_drawing or self._events or self._window_events or calls):
             return False
         try:
+            if not is_drawing:
+                self._handle_window()
             if is_drawing:
                 self._draw()
             while self._events:
@@ -115,10 +144,15 @@ class Loop:
         if isinstance(call.code, str):
             print(call.code, file=sys.stderr)
 
+    def _handle_window(self) -> None:
+        while self._window_events:
+            dispatch(self.program, self._window_events.pop(0))
+
     def _draw(self) -> None:
         pointer = self._sketch.pointer
         self._progress.frame_count += 1
         self._canvas.begin_frame(is_looping=self._progress.is_looping)
+        self._handle_window()
         self._sketch.begin_ratio()
         pointer.previous_x, pointer.previous_y = pointer.drawn_x, pointer.drawn_y
         self._sketch.go_on_beside()

@@ -9,6 +9,7 @@ from sketchkit.runtime.keys import modifiers_of
 BUTTONS = {0: LEFT, 1: RIGHT, 2: CENTER}  # GLFW's numbers
 CLICK_DISTANCE = 3  # px: a hand is never quite still
 DOUBLE_CLICK_MS = 500
+NEVER_MS = -DOUBLE_CLICK_MS
 
 
 class Mouse:
@@ -21,19 +22,19 @@ class Mouse:
         self._pressed_at = (0, 0)
         self._has_dragged = False
         self._clicks = 0
-        self._clicked_ms = -DOUBLE_CLICK_MS
+        self._clicked: tuple[int, int] = 0, NEVER_MS  # the button of the last click, and when
         self._wheel = 0.0  # what is left of touchpads' small steps
 
-    def move(self, x: float, y: float, millis: int = 0) -> list[MouseEvent]:
+    def move(self, x: float, y: float, millis: int = 0, modifiers: int = 0) -> list[MouseEvent]:
         """Take the pointer's new place."""
+        self._modifiers = modifiers_of(modifiers)
         place = int(x // 1), int(y // 1)
         if place == (self._x, self._y):
             return []
         self._x, self._y = place
         if not self._held:
             return [self._event(MouseEvent.MOVE, 0, 0, millis)]
-        start_x, start_y = self._pressed_at
-        if max(abs(self._x - start_x), abs(self._y - start_y)) > CLICK_DISTANCE:
+        if not self._is_near_press():
             self._has_dragged = True
         return [self._event(MouseEvent.DRAG, self._held[-1], 1, millis)]
 
@@ -43,7 +44,9 @@ class Mouse:
         if button is None:
             return []
         self._modifiers = modifiers_of(modifiers)
-        is_again = millis - self._clicked_ms < DOUBLE_CLICK_MS
+        last, clicked_ms = self._clicked
+        is_soon = millis - clicked_ms < DOUBLE_CLICK_MS
+        is_again = last == button and is_soon and self._is_near_press()
         self._clicks = self._clicks + 1 if is_again else 1
         self._held.append(button)
         self._pressed_at, self._has_dragged = (self._x, self._y), False
@@ -58,12 +61,16 @@ class Mouse:
         self._held.remove(button)
         events = [self._event(MouseEvent.RELEASE, button, self._clicks, millis)]
         if not self._has_dragged:
-            self._clicked_ms = millis
+            self._clicked = button, millis
             events.append(self._event(MouseEvent.CLICK, button, self._clicks, millis))
         return events
 
-    def scroll(self, notches: float, millis: int = 0) -> list[MouseEvent]:
-        """Take a turn of the wheel, positive away from the user."""
+    def scroll(self, notches: float, millis: int = 0, modifiers: int = 0) -> list[MouseEvent]:
+        """Take a turn of the wheel, positive away from the user.
+
+        Of a touchpad's small steps, each that fills a notch is an event.
+        """
+        self._modifiers = modifiers_of(modifiers)
         self._wheel -= notches
         whole = int(self._wheel)
         if whole == 0:
@@ -71,10 +78,15 @@ class Mouse:
         self._wheel -= whole
         return [self._event(MouseEvent.WHEEL, 0, whole, millis)]
 
-    def cross_edge(self, is_inside: bool, millis: int = 0) -> list[MouseEvent]:
+    def cross_edge(self, is_inside: bool, millis: int = 0, modifiers: int = 0) -> list[MouseEvent]:
         """Take that the pointer has come over the window, or left it."""
+        self._modifiers = modifiers_of(modifiers)
         action = MouseEvent.ENTER if is_inside else MouseEvent.EXIT
         return [self._event(action, 0, 0, millis)]
+
+    def _is_near_press(self) -> bool:
+        x, y = self._pressed_at
+        return max(abs(self._x - x), abs(self._y - y)) <= CLICK_DISTANCE
 
     def _event(self, action: int, button: int, count: int, millis: int) -> MouseEvent:
         return MouseEvent(action, self._modifiers, millis, self._x, self._y, button, count)

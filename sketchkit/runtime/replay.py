@@ -12,12 +12,17 @@ The file is JSON, `{"events": [...]}`. Each entry names a frame and one thing th
     {"frame": 41, "keyDown": "UP"}, {"frame": 60, "keyUp": "UP"}
     {"frame": 61, "type": "hello"}                     each character pressed and released
     {"frame": 70, "enter": true}, {"frame": 71, "exit": true}
-    {"frame": 72, "resize": [300, 200]}
+    {"frame": 72, "resize": [300, 200]}                before that frame's `draw()`
+    {"frame": 73, "focus": false}                      other windows get the keys; true: this one
 
-`"with": ["SHIFT", "CTRL"]` adds keys that are held meanwhile. As in Processing, what happens in a
-frame is handled when its `draw()` has ended: a handler draws on that frame's picture, and `draw()`
-sees the new `mouseX` in the next one. If the sketch has stopped by `noLoop()`, frames go on being
-counted, a 60th of a second each.
+`"with": ["SHIFT", "CTRL"]` adds keys that are held meanwhile. A `keyDown` that comes from holding
+the key has `"repeat": true`; `"code"` is GLFW's number of a key that is not the character's own, as
+on the number pad.
+
+As in Processing, what happens in a frame is handled when its `draw()` has ended: a handler draws on
+that frame's picture, and `draw()` sees the new `mouseX` in the next one. Only what happens to the
+window comes before `draw()`. If the sketch has stopped by `noLoop()`, frames go on being counted, a
+60th of a second each.
 """
 
 from __future__ import annotations
@@ -35,14 +40,24 @@ from sketchkit.runtime.mouse import Mouse
 
 BUTTONS = {"left": 0, "right": 1, "center": 2}  # GLFW's numbers
 MODIFIERS = {"SHIFT": 1, "CTRL": 2, "ALT": 4, "META": 8}  # GLFW's numbers
+CONTROL, ALT = MODIFIERS["CTRL"], MODIFIERS["ALT"]
 # Keys that are written by name: GLFW's numbers.
 KEYS = {
     "ESC": 256, "ENTER": 257, "RETURN": 257, "TAB": 258, "BACKSPACE": 259, "INSERT": 260,
     "DELETE": 261, "RIGHT": 262, "LEFT": 263, "DOWN": 264, "UP": 265, "PAGE_UP": 266,
     "PAGE_DOWN": 267, "HOME": 268, "END": 269, "SHIFT": 340, "CONTROL": 341, "ALT": 342,
-    "META": 343, **{f"F{number}": 289 + number for number in range(1, 13)},
+    "META": 343, "CAPS_LOCK": 280, "SCROLL_LOCK": 281, "NUM_LOCK": 282, "PRINT_SCREEN": 283,
+    "PAUSE": 284, "MENU": 348, **{f"F{number}": 289 + number for number in range(1, 25)},
 }  # fmt: skip # many short ones
-BESIDE = {"frame", "at", "with", "button", "frames"}  # what an entry has besides what happens
+BESIDE = {
+    "frame",
+    "at",
+    "with",
+    "button",
+    "frames",
+    "code",
+    "repeat",
+}  # what an entry has besides what happens
 LAST_FRAME = 1_000_000  # four and a half hours
 
 Number = int | float
@@ -134,23 +149,31 @@ class _Step:
     """One thing that the hand does: what, in which frame, holding which keys."""
 
     frame: int
-    action: Callable[[_Hand, int, int], Sequence[AnyEvent]]
+    action: Callable[[Hand, int, int], Sequence[AnyEvent]]
     modifiers: int = 0
 
 
-class _Hand:
+class Hand:
     """The mouse and the keyboard that are moved."""
 
     def __init__(self) -> None:
         self.mouse = Mouse()
         self.keys = Keys()
 
+    def does(self, entry: Entry) -> Sequence[AnyEvent]:
+        """Do what an entry of an events file says; return what it makes happen in its frame."""
+        return [event for step in _steps(entry) for event in self.takes(step)]
+
+    def takes(self, step: _Step) -> Sequence[AnyEvent]:
+        """Do one thing; return what it makes happen."""
+        return step.action(self, step.modifiers, milliseconds_of(step.frame))
+
 
 def _perform(steps: list[_Step]) -> Replay:
     """Let a hand take all steps, in order of their frames."""
-    hand, replay = _Hand(), Replay()
+    hand, replay = Hand(), Replay()
     for step in sorted(steps, key=lambda step: step.frame):
-        events = step.action(hand, step.modifiers, milliseconds_of(step.frame))
+        events = hand.takes(step)
         if events:
             replay.events.setdefault(step.frame, []).extend(events)
     return replay
@@ -205,7 +228,7 @@ def _button(value: object) -> int:
 
 
 def _move(frame: int, place: tuple[Number, Number]) -> _Step:
-    return _Step(frame, lambda hand, modifiers, millis: hand.mouse.move(*place, millis))
+    return _Step(frame, lambda hand, held, millis: hand.mouse.move(*place, millis, held))
 
 
 def _press(frame: int, button: int) -> _Step:
@@ -263,7 +286,7 @@ def _steps_of_wheel(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
     if isinstance(value, bool) or not isinstance(value, int):
         raise _EntryError('"wheel" is a whole number of notches, positive downwards.')
     notches = -value  # the mouse counts them positive away from the user
-    yield _Step(frame, lambda hand, held, millis: hand.mouse.scroll(notches, millis))
+    yield _Step(frame, lambda hand, held, millis: hand.mouse.scroll(notches, millis, held))
 
 
 def _steps_of_key(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
@@ -272,17 +295,20 @@ def _steps_of_key(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
 
 
 def _steps_of_key_down(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
-    code, text = _key(value)
+    code, text = _key(value, entry)
+    is_repeat = entry.get("repeat") is True
 
-    def press(hand: _Hand, held: int, millis: int) -> Sequence[AnyEvent]:
-        events = hand.keys.press(code, held, millis=millis)
-        return [*events, *(hand.keys.character(text) if text else ())]
+    def press(hand: Hand, held: int, millis: int) -> Sequence[AnyEvent]:
+        events = hand.keys.press(code, held, is_repeat=is_repeat, millis=millis)
+        is_control = held & CONTROL and not held & ALT  # these two together are AltGr
+        is_typed = text and not is_control
+        return [*events, *(hand.keys.character(text) if is_typed else hand.keys.settle())]
 
     yield _Step(frame, press)
 
 
 def _steps_of_key_up(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
-    code, _ = _key(value)
+    code, _ = _key(value, entry)
     yield _Step(frame, lambda hand, held, millis: hand.keys.release(code, held, millis=millis))
 
 
@@ -293,18 +319,23 @@ def _steps_of_type(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
         yield from _steps_of_key(frame, "ENTER" if character == "\n" else character, entry)
 
 
-def _key(value: object) -> tuple[int, str]:
+def _key(value: object, entry: Entry) -> tuple[int, str]:
     """Return GLFW's number of a key, and the character that it types."""
+    code = entry.get("code")
+    if code is not None and (isinstance(code, bool) or not isinstance(code, int)):
+        raise _EntryError('"code" is a whole number.')
     if value in KEYS:
         return KEYS[str(value)], ""
     if not isinstance(value, str) or len(value) != 1:
         raise _EntryError(f"A key is one character, or one of {', '.join(KEYS)}.")
-    return ord(value.upper()[0]), value
+    return ord(value.upper()[0]) if code is None else code, value
 
 
 def _steps_of_edge(is_inside: bool) -> Callable[[int, object, Entry], Iterator[_Step]]:
     def steps(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
-        yield _Step(frame, lambda hand, held, millis: hand.mouse.cross_edge(is_inside, millis))
+        yield _Step(
+            frame, lambda hand, held, millis: hand.mouse.cross_edge(is_inside, millis, held)
+        )
 
     return steps
 
@@ -314,6 +345,11 @@ def _steps_of_resize(frame: int, value: object, entry: Entry) -> Iterator[_Step]
     if not (0 < width <= 16384 and 0 < height <= 16384):
         raise _EntryError('"resize" is [width, height], in pixels.')
     yield _Step(frame, lambda *_: [WindowEvent("windowResized", (width, height))])
+
+
+def _steps_of_focus(frame: int, value: object, entry: Entry) -> Iterator[_Step]:
+    handler = "focusGained" if value else "focusLost"
+    yield _Step(frame, lambda *_: [WindowEvent(handler)])
 
 
 ACTIONS: dict[str, Callable[[int, object, Entry], Iterator[_Step]]] = {
@@ -330,4 +366,5 @@ ACTIONS: dict[str, Callable[[int, object, Entry], Iterator[_Step]]] = {
     "enter": _steps_of_edge(is_inside=True),
     "exit": _steps_of_edge(is_inside=False),
     "resize": _steps_of_resize,
+    "focus": _steps_of_focus,
 }

@@ -1,7 +1,7 @@
 import pytest
 
 from sketchkit.api.events import KeyEvent
-from sketchkit.core.constants import CODED, CONTROL, DELETE, ENTER, LEFT
+from sketchkit.core.constants import BACKSPACE, CODED, CONTROL, DELETE, ENTER, LEFT
 from sketchkit.runtime.keys import Keys
 
 A, ONE, QUOTE, KEYPAD_5 = 65, 49, 39, 325  # GLFW's numbers
@@ -53,15 +53,22 @@ def test_release_remembers_the_character() -> None:
         pytest.param(261, DELETE, 127, id="delete"),
     ],
 )
-def test_keys_that_type_nothing_come_at_once(code: int, key: str, key_code: int) -> None:
-    assert brief(Keys().press(code, 0)) == [(KeyEvent.PRESS, key, key_code)]
+def test_keys_that_need_no_layout_come_at_once(code: int, key: str, key_code: int) -> None:
+    assert brief(Keys().press(code, 0))[0] == (KeyEvent.PRESS, key, key_code)
+
+
+@pytest.mark.parametrize(("code", "typed"), [(257, [ENTER]), (259, [BACKSPACE]), (263, [])])
+def test_enter_and_backspace_type_and_arrows_do_not(code: int, typed: list[str]) -> None:
+    events = Keys().press(code, 0)
+
+    assert [event.key for event in events if event.action == KeyEvent.TYPE] == typed
 
 
 def test_control_and_a_letter_is_a_control_character() -> None:
     keys = Keys()
     keys.press(A, 2)
 
-    assert brief(keys.settle()) == [(KeyEvent.PRESS, "\x01", 65)]
+    assert brief(keys.settle()) == [(KeyEvent.PRESS, "\x01", 65), (KeyEvent.TYPE, "\x01", 0)]
 
 
 def test_two_presses_in_a_row_keep_their_order() -> None:

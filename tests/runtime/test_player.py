@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -15,10 +16,16 @@ from sketchkit.core.errors import SketchError
 from sketchkit.draw.resources import Target
 from sketchkit.draw.shading import ShaderSource
 from sketchkit.runtime.events import AnyEvent
-from sketchkit.runtime.player import Player
+from sketchkit.runtime.explorer import Explorer, NoExplorer
+from sketchkit.runtime.headless import Launch, render
+from sketchkit.runtime.inputs import Recorded, Replayed
+from sketchkit.runtime.mouse import Mouse
+from sketchkit.runtime.player import PLAIN, Manner, Player
+from sketchkit.runtime.replay import replay_of
 from sketchkit.runtime.report import Report
 from tests.runtime.sketches import Remarks, written
 
+NO_EXPLORER = NoExplorer()
 MOMENT_S = 0.001  # how long everything takes
 
 
@@ -51,6 +58,8 @@ class FakeScreen(NoWindow):
     def pace(self, frames_per_second: float) -> None:
         pass
 
+    is_damaged = False
+
     def show(self, target: Target) -> None:
         self.shown.append((self.time_s, target.width))
 
@@ -58,9 +67,14 @@ class FakeScreen(NoWindow):
         self.titles.append(title)
 
 
-def play(path: Path, screen: FakeScreen) -> tuple[bool, list[Report]]:
+def play(
+    path: Path,
+    screen: FakeScreen,
+    explorer: Explorer = NO_EXPLORER,
+    manner: Manner = PLAIN,
+) -> tuple[bool, list[Report]]:
     told: list[Report] = []
-    player = Player(path, screen, tell=Remarks().tell, say=told.append, now=screen.now)
+    player = Player(path, screen, manner, tell=Remarks().tell, say=told.append, explorer=explorer)
     return player.play(), told
 
 
@@ -122,7 +136,7 @@ def test_mistake_is_shown_and_the_window_stays_with_its_picture(tmp_path: Path) 
     assert not is_well
     assert [report.line for report in told] == [4]
     assert screen.titles[-1] == "sketch: a mistake in sketch.py, line 4"
-    assert screen.shown[-1][0] > 2.5
+    assert screen.shown[-1][1] == 480  # a sentence has no room in 20 pixels
 
 
 def test_escape_closes_the_window_after_a_mistake(tmp_path: Path) -> None:
@@ -192,6 +206,157 @@ def test_sketch_that_could_not_be_read_starts_when_it_is_mended(tmp_path: Path) 
     assert screen.shown[-1][1] == 200
 
 
+def test_saved_data_starts_the_sketch_again(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    data = written(tmp_path, "20", "data/side.txt")
+    screen.plan[0.5] = saved(data, "300")
+
+    play(written(tmp_path, "size(int(loadStrings('side.txt')[0]), 20)"), screen)
+
+    assert [width for _, width in (screen.shown[0], screen.shown[-1])] == [20, 300]
+
+
+def test_what_the_sketch_itself_writes_does_not_start_it_again(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    written(tmp_path, "1", "score.txt")
+    sketch = written(
+        tmp_path,
+        """
+        loadStrings("score.txt")
+        def draw():
+            saveStrings("score.txt", [frameCount])
+            surface.setTitle(frameCount)
+        """,
+    )
+
+    play(sketch, screen)
+
+    assert int(screen.titles[-1]) > 50
+
+
+def test_saved_file_is_let_be_without_reloading(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    sketch = written(tmp_path, "size(20, 20)")
+    screen.plan[0.5] = saved(sketch, "size(300, 20)")
+
+    play(sketch, screen, manner=Manner(reloads=False))
+
+    assert screen.shown[-1][1] == 20
+
+
+GOING_ON = """
+import helpers
+count = 0
+class Ball:
+    def tell(self): return "old ball"
+def setup():
+    global ball
+    size(20, 20)
+    ball = Ball()
+def draw():
+    global count
+    count += 1
+    surface.setTitle(f"{count} {frameCount} {ball.tell()} old {helpers.name()}")
+"""
+
+
+@pytest.fixture
+def kept(tmp_path: Path) -> Path:
+    written(tmp_path, "def name(): return 'here'", "helpers.py")
+    return written(tmp_path, GOING_ON)
+
+
+KEEPING = Manner(keeps_state=True)
+
+
+def test_variables_survive_a_new_text_of_the_functions(kept: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    screen.plan[0.5] = saved(kept, GOING_ON.replace("old", "new"))
+
+    play(kept, screen, manner=KEEPING)
+
+    count, frame, *words = screen.titles[-1].split()
+    assert words == ["new", "ball", "new", "here"]
+    assert count == frame
+    assert int(count) > 50
+
+
+def test_variables_survive_a_new_text_of_a_module(kept: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    screen.plan[0.5] = saved(kept.with_name("helpers.py"), "def name(): return 'there'")
+
+    play(kept, screen, manner=KEEPING)
+
+    assert screen.titles[-1].endswith("there")
+    assert int(screen.titles[-1].split()[0]) > 50
+
+
+def test_old_text_goes_on_if_the_new_ones_own_lines_are_wrong(kept: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    screen.plan[0.3] = saved(kept, GOING_ON.replace("old", "new") + "elipse()\n")
+
+    is_well, told = play(kept, screen, manner=KEEPING)
+
+    assert is_well
+    assert [str(report).splitlines()[0] for report in told] == [
+        "sketch.py, line 14: elipse is not defined."
+    ]
+    assert screen.titles[-1].endswith("old ball old here")
+    assert int(screen.titles[-1].split()[0]) > 50
+
+
+def test_new_setup_is_run_though_state_is_kept(kept: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    screen.plan[0.5] = saved(kept, GOING_ON.replace("size(20, 20)", "size(300, 20)"))
+
+    play(kept, screen, manner=KEEPING)
+
+    assert screen.shown[-1][1] == 300
+
+
+def test_mistake_is_cleared_by_the_next_good_text(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    text = "def setup():\n    size(20, 20)\ndef draw():\n    background(0)\n"
+    sketch = written(tmp_path, text)
+    screen.plan[0.2] = saved(sketch, text + "if\n")
+    screen.plan[0.6] = saved(sketch, text)
+
+    is_well, told = play(sketch, screen)
+
+    assert is_well
+    assert len(told) == 1
+    assert {width for time_s, width in screen.shown if 0.3 < time_s < 0.6} == {480}
+    assert screen.shown[-1][1] == 20
+    assert screen.titles[-1] == "sketch"
+
+
+RANDOM = """
+def setup():
+    size(20, 20)
+def draw():
+    pass
+def mousePressed():
+    saveStrings("seen.txt", [f"{random(1)} {millis()} {frameCount}"])
+"""
+
+
+def test_recorded_hand_is_replayed_to_the_last_bit(tmp_path: Path) -> None:
+    sketch, recorded = written(tmp_path, RANDOM), Recorded()
+    screen = FakeScreen(closes_s=0.5)
+    screen.plan[0.2] = lambda: Mouse().press(0)
+
+    play(sketch, screen, manner=Manner(inputs=recorded))
+    first = (tmp_path / "seen.txt").read_text()
+    (tmp_path / "seen.txt").unlink()
+    replay = replay_of(json.loads(recorded.text()))
+    play(sketch, FakeScreen(closes_s=0.5), manner=Manner(inputs=Replayed(replay)))
+    in_window = (tmp_path / "seen.txt").read_text()
+    list(render(Launch(sketch, Remarks().tell, replay=replay), [60], ListingBackend()))
+
+    assert in_window == first
+    assert (tmp_path / "seen.txt").read_text() == first
+
+
 class ShaderBackend(ListingBackend):
     """Remembers which shaders it was to compile; what says `broken` does not compile."""
 
@@ -250,3 +415,54 @@ def test_broken_shader_is_told_and_the_old_one_goes_on(tmp_path: Path) -> None:
     assert len(told) == 1
     assert "it is broken" in str(told[0])
     assert screen.shown[-1][0] > 0.9
+
+
+class Stepper(NoExplorer):
+    """Pauses after some frames, and then wants single ones; swallows all keys."""
+
+    def __init__(self, steps: int) -> None:
+        self.steps = steps
+        self.is_paused = False
+        self.asked = 0
+
+    def handles(self, event: AnyEvent) -> bool:
+        self.is_paused = True
+        return isinstance(event, KeyEvent)
+
+    def takes_step(self) -> bool:
+        self.asked += 1
+        return self.asked <= self.steps
+
+
+COUNTED = """
+def draw():
+    surface.setTitle(f"{frameCount} {millis()}")
+def keyPressed():
+    exit()
+"""
+
+
+def test_paused_sketch_draws_only_the_steps_that_are_wanted(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=2.0)
+    screen.plan[0.5] = lambda: [KeyEvent(KeyEvent.PRESS, key="x")]
+
+    play(written(tmp_path, COUNTED), screen, Stepper(3))
+
+    frame, millis = map(int, screen.titles[-1].split())
+    assert frame == pytest.approx(33, abs=2)
+    assert millis == pytest.approx(550, abs=20)  # half a second, and three 60ths
+    assert screen.time_s > 1.9  # the key was not the sketch's
+
+
+class Slow(NoExplorer):
+    speed = 0.1
+
+
+def test_slow_motion_slows_frames_and_time(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=2.0)
+
+    play(written(tmp_path, COUNTED), screen, Slow())
+
+    frame, millis = map(int, screen.titles[-1].split())
+    assert frame == pytest.approx(12, abs=1)
+    assert millis == pytest.approx(200, abs=20)

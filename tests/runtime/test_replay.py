@@ -174,7 +174,7 @@ def test_window_that_is_resized_gives_the_sketch_its_new_size(tmp_path: Path) ->
         def draw():
             seen.append(f"{width} {height}")
         """,
-        replay_of([{"frame": 1, "resize": [70, 60]}]),
+        replay_of([{"frame": 2, "resize": [70, 60]}]),
         2,
     )
 

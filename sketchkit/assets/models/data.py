@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.assets.paths import search_folders
+from sketchkit.assets.paths import note_read, search_folders
 from sketchkit.core.errors import SketchError
 from sketchkit.core.notices import warn_once
 from sketchkit.draw.resources import Pixels
@@ -147,6 +147,7 @@ def beside(path: Path, name: str) -> Path | None:
         for folder in (path.parent, *search_folders()):
             try:
                 if candidate and (folder / candidate).is_file():
+                    note_read(folder / candidate)
                     return folder / candidate
             except OSError:  # a name longer than the system's
                 continue
