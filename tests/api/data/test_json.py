@@ -58,6 +58,32 @@ def test_array_grows_with_null() -> None:
     assert array.join(", ") == '"x", true, 0.5, null, null, 9'
 
 
+def test_parts_are_set_as_in_processing() -> None:
+    numbers = JSONArray([1, 2, 3])
+    member = JSONObject().setBoolean("w", False).setJSONArray("a", numbers)
+    member.setJSONObject("o", {"x": 1})
+    array = JSONArray().setBoolean(1, True).setJSONArray(0, numbers).setJSONObject(3, member)
+
+    assert array.format(-1) == '[[1,2,3],true,null,{"w":false,"a":[1,2,3],"o":{"x":1}}]'
+    assert array.setString(2, "z").getString(2) == "z"
+
+
+def test_part_that_was_set_is_the_same_and_no_copy() -> None:
+    scores = JSONArray()
+    game = JSONObject().setJSONArray("scores", scores)
+
+    scores.append(5)
+
+    assert game.getJSONArray("scores").getInt(0) == 5
+
+
+def test_arrays_are_given_as_lists_of_one_kind() -> None:
+    assert JSONArray([3, 2.5, "7"]).toIntArray() == [3, 2, 7]
+    assert JSONArray([3, 2.5, "7"]).getIntArray() == [3, 2, 7]
+    assert JSONArray(["a", "b"]).toStringArray() == ["a", "b"]
+    assert JSONArray(["a", "b"]).getStringArray() == ["a", "b"]
+
+
 def test_they_are_pythons_too() -> None:
     json = JSONObject({"name": "Ida", "scores": [1, 2], "at": {"x": np.float64(3)}})
 
@@ -79,6 +105,11 @@ def test_they_are_pythons_too() -> None:
         (lambda j: j.getJSONObject("list"), r"Write getJSONArray"),
         (lambda j: j.getJSONArray("list").getInt(4), "takes 0 alone: there is 1 value"),
         (lambda j: j.setString("name", 4), r"str\(4\)"),
+        (lambda j: j.setJSONArray("name", {"a": 1}), "takes a JSONArray or a list"),
+        (lambda j: j.setJSONObject("name", [1]), "takes a JSONObject or a dictionary"),
+        (lambda j: j["list"].setJSONObject(0, [1]), "takes a JSONObject or a dictionary"),
+        (lambda j: j["list"].setJSONArray(-1, [1]), "takes 0 alone"),
+        (lambda j: JSONArray(["a", 1]).toStringArray(), r"getString\(1\) finds no text"),
         (lambda j: j.setFloat("name", inf), "finite"),
         (lambda j: j.put("name", object()), "what JSON can hold"),
         (lambda j: j.save("a.json", "tiny"), "compact"),

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from sketchkit.api.data.tables.table import Table
+from sketchkit.api.data.tables.table_row import TableRow
 from sketchkit.api.sketch import Sketch
 from sketchkit.core.errors import SketchError
 from tests.api.sketches import new_sketch
@@ -56,6 +57,48 @@ def test_rows_are_found(people: Table) -> None:
     assert len(people.findRows("", "height")) == 1
     assert people.matchRow("eo$", "name").getInt("age") == 0
     assert people.matchRowIndices("n", "name") == [0, 1, 4]
+
+
+def test_rows_that_match_are_all_found(people: Table) -> None:
+    assert [row.getInt("age") for row in people.matchRows("n", "name")] == [12, 9, 7]
+    assert people.matchRows("zzz", "name") == []
+
+    found = people.matchRowIterator("n", "name")
+
+    assert (next(found).getString("name"), next(found).getInt("age")) == ("Anna", 9)
+    assert [row.getInt("age") for row in found] == [7]
+
+
+def test_rows_and_columns_are_removed(people: Table) -> None:
+    people.removeRow(1)
+    people.removeColumn("age")
+    people.removeColumn(0)
+
+    assert (people.getRowCount(), people.getColumnTitles()) == (4, ["height"])
+    assert people.getStringColumn("height") == ["1.52", None, "abc", "2"]
+
+    people.clearRows()
+
+    assert (people.getRowCount(), people.getColumnCount()) == (0, 1)
+    assert people.addRow(["3"]).getInt("height") == 3
+
+
+def test_row_knows_its_columns(people: Table) -> None:
+    row = people.getRow(0)
+
+    assert isinstance(row, TableRow)
+    assert [row.getColumnTitle(place) for place in range(row.getColumnCount())] == [
+        *("name", "age"),
+        "height",
+    ]
+    assert Table([row]).getRow(0).getColumnTitle(1) == "age"
+
+
+def test_row_of_a_table_without_titles_has_none() -> None:
+    table = Table()
+    table.setString(0, 1, "x")
+
+    assert table.getRow(0).getColumnTitle(1) is None
 
 
 def test_rows_are_sorted_as_processing_leaves_them(people: Table) -> None:
@@ -165,6 +208,10 @@ def test_titles_and_types_come_from_another_file(sketch: Sketch, tmp_path: Path)
         (lambda t: t.setString(0, "age", 3), r"str\(3\)"),
         (lambda t: t.setColumnType("age", "integer"), "Table.STRING, INT"),
         (lambda t: t.matchRow("(", "age"), "regular expression"),
+        (lambda t: t.matchRows("n", "nmae"), "Do you mean 'name'"),
+        (lambda t: t.removeRow(5), "no row 5.*\n.*Its rows are 0 to 4"),
+        (lambda t: t.removeColumn(3), "Its columns are 0 to 2"),
+        (lambda t: t.getRow(0).getColumnTitle(3), "Its columns are 0 to 2"),
         (lambda t: t.save("o.txt"), '"csv", "tsv" or "html"'),
         (lambda t: Table().getInt(0, "a"), "has no titles"),
     ],

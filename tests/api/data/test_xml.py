@@ -44,6 +44,24 @@ def test_children_are_found(zoo: XML) -> None:
     assert zoo.getChild("animal").getIntContent(5) == 5
 
 
+def test_element_tells_what_it_has() -> None:
+    element = XML.parse('<a n="1" m="2"><b>2.5</b><c/></a>')
+    number, empty = element.getChildren()
+
+    assert element.getAttributeCount() == 2
+    assert (element.hasChildren(), empty.hasChildren(), number.hasChildren()) == (True, False, True)
+    assert (number.getFloatContent(), empty.getFloatContent(7)) == (2.5, 7)
+    assert (number.getIntContent(8), empty.getIntContent()) == (2, 0)
+
+
+def test_attribute_that_is_set_twice_is_there_once() -> None:
+    element = XML.parse('<a n="1" m="2"><b>2.5</b><c/></a>')
+
+    element.setLong("n", 12345678901)
+
+    assert element.toString() == '<a m="2" n="12345678901"><b>2.5</b><c/></a>'
+
+
 def test_document_is_built_as_in_processing() -> None:
     root = XML("root")
     kid = root.addChild("kid")

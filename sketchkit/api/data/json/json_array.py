@@ -2,34 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, TypeVar, cast, overload
+from collections.abc import Iterable, Iterator, Sequence
+from typing import cast, overload
 
 from sketchkit.api.data.faults import fraction, no_place, whole, wrong_kind
-from sketchkit.api.data.json.values import (
-    JSONValue,
-    as_fraction,
-    as_text,
-    as_truth,
-    as_whole,
-    finite,
-    held,
-    not_a,
-    parsed_or_none,
-    single,
-)
-from sketchkit.api.data.lists.float_list import DoubleList, FloatList
-from sketchkit.api.data.lists.int_list import IntList, LongList
-from sketchkit.api.data.lists.string_list import StringList
-from sketchkit.data.json_writing import COMPACT, write_json
-
-if TYPE_CHECKING:
-    from sketchkit.api.data.json.json_object import JSONObject
-
-T = TypeVar("T")
+from sketchkit.api.data.json.array_reading import ArrayReading, as_array, as_object
+from sketchkit.api.data.json.values import finite, held, parsed_or_none, single
 
 
-class JSONArray(JSONValue, Sequence[object], plain=list):
+class JSONArray(ArrayReading, Sequence[object], plain=list):
     """Values in a row, as JSON has them: text, numbers, True, False, None, objects and arrays.
 
     Parameters
@@ -64,71 +45,82 @@ class JSONArray(JSONValue, Sequence[object], plain=list):
         """Return the array that a text holds; None, with a remark, if it holds none."""
         return cast("JSONArray | None", parsed_or_none("JSONArray.parse", source, list))
 
-    def size(self) -> int:
-        """Return how many values there are."""
-        return len(self._values)
-
-    def get(self, index: int) -> object:
-        """Return the value at a place, whatever it is."""
-        return self._values[self._place("get", index)]
-
-    def getString(self, index: int, defaultValue: str | None = None) -> str | None:
-        """Return a text; with a second value, anything as text, and that one if there is none."""
-        if defaultValue is None:
-            value = self.get(index)
-            if value is None or isinstance(value, str):
-                return value
-            raise not_a(f"getString({index})", "text", value)
-        value = self._values[index] if 0 <= index < len(self._values) else None
-        return defaultValue if value is None else as_text(value)
-
-    def getInt(self, index: int, defaultValue: int | None = None) -> int:
-        """Return a whole number; a second value takes the place of what is none."""
-        return self._found("getInt", index, "number", as_whole, defaultValue)
-
-    getLong = getInt
-
-    def getFloat(self, index: int, defaultValue: float | None = None) -> float:
-        """Return a number; a second value takes the place of what is none."""
-        return self._found("getFloat", index, "number", as_fraction, defaultValue)
-
-    getDouble = getFloat
-
-    def getBoolean(self, index: int, defaultValue: bool | None = None) -> bool:
-        """Return True or False; a second value takes the place of what is neither."""
-        return self._found("getBoolean", index, "truth value", as_truth, defaultValue)
-
-    def getJSONArray(self, index: int, defaultValue: JSONArray | None = None) -> JSONArray:
-        """Return an array; a second value takes the place of what is none."""
-        return self._found("getJSONArray", index, "JSONArray", _as_array, defaultValue)
-
-    def getJSONObject(self, index: int, defaultValue: JSONObject | None = None) -> JSONObject:
-        """Return an object; a second value takes the place of what is none."""
-        return self._found("getJSONObject", index, "JSONObject", _as_object, defaultValue)
-
-    def isNull(self, index: int) -> bool:
-        """Return whether there is null at a place, or nothing."""
-        return not 0 <= index < len(self._values) or self._values[index] is None
-
     def append(self, value: object) -> JSONArray:
-        """Add a value at the end, and return the array."""
+        """Add a value at the end, and return the array.
+
+        Parameters
+        ----------
+        value
+            Text, a number, True, False, None, a JSONObject, a JSONArray, a dictionary or a
+            list.
+
+        Examples
+        --------
+        >>> values = JSONArray()
+        >>> values.append("Goat").append(3).append([1, 2])
+        ["Goat",3,[1,2]]
+        """
         self._values.append(held("append", value))
         return self
 
     def setString(self, index: int, value: str | None) -> JSONArray:
-        """Set a text, and return the array; one that is too short grows."""
+        """Set the text at a place, and return the array; one that is too short grows.
+
+        Parameters
+        ----------
+        index : int
+            Its place, counted from 0.
+        value : str
+            The text; None is JSON's null.
+
+        Examples
+        --------
+        >>> names = JSONArray(["Ida", "Ben"])
+        >>> names.setString(1, "Cleo")
+        ["Ida","Cleo"]
+        """
         if value is not None and not isinstance(value, str):
             raise wrong_kind("setString", "text", value, place=index)
         return self._set("setString", index, value)
 
     def setInt(self, index: int, value: int) -> JSONArray:
-        """Set a whole number, and return the array; one that is too short grows."""
+        """Set the whole number at a place, and return the array; one that is too short grows.
+
+        Parameters
+        ----------
+        index : int
+            Its place, counted from 0.
+        value : int
+            The number; a fraction is cut off.
+
+        Examples
+        --------
+        >>> scores = JSONArray()
+        >>> scores.setInt(0, 30)
+        [30]
+        >>> scores.setInt(2, 10)
+        [30,null,10]
+        """
         return self._set("setInt", index, whole("setInt", value, place=index))
 
     setLong = setInt
 
     def setFloat(self, index: int, value: float) -> JSONArray:
-        """Set a number in 32 bits, and return the array; `setDouble()` keeps all digits."""
+        """Set the number at a place, and return the array; one that is too short grows.
+
+        Parameters
+        ----------
+        index : int
+            Its place, counted from 0.
+        value : float
+            The number; it is kept in 32 bits. `setDouble()` keeps all digits.
+
+        Examples
+        --------
+        >>> heights = JSONArray()
+        >>> heights.setFloat(0, 1.5)
+        [1.5]
+        """
         number = single("setFloat", fraction("setFloat", value, place=index))
         return self._set("setFloat", index, number)
 
@@ -138,77 +130,88 @@ class JSONArray(JSONValue, Sequence[object], plain=list):
         return self._set("setDouble", index, number)
 
     def setBoolean(self, index: int, value: bool) -> JSONArray:
-        """Set True or False, and return the array; one that is too short grows."""
+        """Set the truth value at a place, and return the array; one that is too short grows.
+
+        Parameters
+        ----------
+        index : int
+            Its place, counted from 0.
+        value : bool
+            True or False.
+
+        Examples
+        --------
+        >>> answers = JSONArray()
+        >>> answers.setBoolean(0, 3 > 2)
+        [true]
+        """
         return self._set("setBoolean", index, bool(value))
 
     def setJSONArray(self, index: int, value: object) -> JSONArray:
-        """Set an array or a list, and return the array; one that is too short grows."""
-        if _as_array(array := held("setJSONArray", value)) is None and value is not None:
+        """Set the array at a place, and return the array that it stands in; one too short grows.
+
+        Parameters
+        ----------
+        index : int
+            Its place, counted from 0.
+        value : JSONArray or list
+            The array.
+
+        Examples
+        --------
+        >>> rows = JSONArray()
+        >>> rows.setJSONArray(0, JSONArray([1, 2]))
+        [[1,2]]
+        """
+        if as_array(array := held("setJSONArray", value)) is None and value is not None:
             raise wrong_kind("setJSONArray", "a JSONArray or a list", value, place=index)
         return self._set("setJSONArray", index, array)
 
     def setJSONObject(self, index: int, value: object) -> JSONArray:
-        """Set an object or a dictionary, and return the array; one that is too short grows."""
-        if _as_object(member := held("setJSONObject", value)) is None and value is not None:
+        """Set the object at a place, and return the array; one that is too short grows.
+
+        Parameters
+        ----------
+        index : int
+            Its place, counted from 0.
+        value : JSONObject or dict
+            The object.
+
+        Examples
+        --------
+        >>> animal = JSONObject()
+        >>> animal.setString("species", "Goat")
+        {"species":"Goat"}
+        >>> animals = JSONArray()
+        >>> animals.setJSONObject(0, animal)
+        [{"species":"Goat"}]
+        """
+        if as_object(member := held("setJSONObject", value)) is None and value is not None:
             raise wrong_kind("setJSONObject", "a JSONObject or a dictionary", value, place=index)
         return self._set("setJSONObject", index, member)
 
     def remove(self, index: int) -> object:
-        """Remove the value at a place, and return it."""
+        """Remove the value at a place, and return it; those behind it move up.
+
+        Parameters
+        ----------
+        index : int
+            Its place, counted from 0.
+
+        Raises
+        ------
+        SketchError
+            If there is no such place.
+
+        Examples
+        --------
+        >>> names = JSONArray(["Ida", "Ben", "Cleo"])
+        >>> names.remove(0)
+        'Ida'
+        >>> names.getString(0)
+        'Ben'
+        """
         return self._values.pop(self._place("remove", index))
-
-    def join(self, separator: str) -> str:
-        """Return the values as one text, with a separator between them."""
-        return separator.join(write_json(value, COMPACT) for value in self._values)
-
-    def toStringArray(self) -> list[str | None]:
-        """Return the values as a list; all have to be text."""
-        return [self.getString(place) for place in range(len(self._values))]
-
-    def toIntArray(self) -> list[int]:
-        """Return the values as a list; all have to be numbers."""
-        return [self.getInt(place) for place in range(len(self._values))]
-
-    def toFloatArray(self) -> list[float]:
-        """Return the values as a list; all have to be numbers."""
-        return [self.getFloat(place) for place in range(len(self._values))]
-
-    def toBooleanArray(self) -> list[bool]:
-        """Return the values as a list; all have to be True or False."""
-        return [self.getBoolean(place) for place in range(len(self._values))]
-
-    def arrayValues(self) -> list[JSONArray]:
-        """Return the values as a list; all have to be arrays."""
-        return [self.getJSONArray(place) for place in range(len(self._values))]
-
-    def objectValues(self) -> list[JSONObject]:
-        """Return the values as a list; all have to be objects."""
-        return [self.getJSONObject(place) for place in range(len(self._values))]
-
-    getStringArray = toStringArray
-    getIntArray = getLongArray = toLongArray = intValues = longValues = toIntArray
-    getFloatArray = getDoubleArray = toDoubleArray = floatValues = doubleValues = toFloatArray
-    getBooleanArray = booleanValues = toBooleanArray
-
-    def toStringList(self) -> StringList:
-        """Return the values in a StringList; all have to be text."""
-        return StringList(self.toStringArray())
-
-    def toIntList(self) -> IntList:
-        """Return the values in an IntList; all have to be numbers."""
-        return IntList(self.toIntArray())
-
-    def toLongList(self) -> LongList:
-        """Return the values in a LongList; all have to be numbers."""
-        return LongList(self.toIntArray())
-
-    def toFloatList(self) -> FloatList:
-        """Return the values in a FloatList; all have to be numbers."""
-        return FloatList(self.toFloatArray())
-
-    def toDoubleList(self) -> DoubleList:
-        """Return the values in a DoubleList; all have to be numbers."""
-        return DoubleList(self.toFloatArray())
 
     def _set(self, name: str, index: int, value: object) -> JSONArray:
         place = whole(name, index)
@@ -217,28 +220,6 @@ class JSONArray(JSONValue, Sequence[object], plain=list):
         self._values += [None] * (place + 1 - len(self._values))
         self._values[place] = value
         return self
-
-    def _found(
-        self,
-        name: str,
-        index: int,
-        wanted: str,
-        read: Callable[[object], T | None],
-        other: T | None,
-    ) -> T:
-        if other is not None and not 0 <= index < len(self._values):
-            return other
-        value = self._values[self._place(name, index)]
-        found = read(value)
-        if found is None and other is None:
-            raise not_a(f"{name}({index})", wanted, value)
-        return cast("T", other if found is None else found)
-
-    def _place(self, name: str, index: object) -> int:
-        place = whole(name, index)
-        if not 0 <= place < len(self._values):
-            raise no_place(name, index, self._values)
-        return place
 
     def __len__(self) -> int:
         return len(self._values)
@@ -271,12 +252,3 @@ class JSONArray(JSONValue, Sequence[object], plain=list):
         return NotImplemented
 
     __hash__ = None  # type: ignore[assignment] # it can change, as a list
-
-
-def _as_array(value: object) -> JSONArray | None:
-    return value if isinstance(value, JSONArray) else None
-
-
-def _as_object(value: object) -> JSONObject | None:
-    kind = JSONValue.kinds[dict]
-    return cast("JSONObject", value) if isinstance(value, kind) else None

@@ -2,35 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, MutableMapping
-from typing import TypeVar, cast
+from collections.abc import Iterator, Mapping, MutableMapping
+from typing import cast
 
 from sketchkit.api.data.dicts.value_dict import ValueDict
-from sketchkit.api.data.faults import fraction, no_name, whole, wrong_kind
+from sketchkit.api.data.faults import fraction, whole, wrong_kind
 from sketchkit.api.data.json.json_array import JSONArray
-from sketchkit.api.data.json.values import (
-    JSONValue,
-    as_fraction,
-    as_text,
-    as_truth,
-    as_whole,
-    finite,
-    held,
-    not_a,
-    parsed,
-    single,
-)
-from sketchkit.api.data.lists.float_list import DoubleList, FloatList
-from sketchkit.api.data.lists.int_list import IntList, LongList
-from sketchkit.api.data.lists.string_list import StringList
-from sketchkit.core.errors import SketchError, nearest
-from sketchkit.core.notices import warn_once
+from sketchkit.api.data.json.object_reading import ObjectReading
+from sketchkit.api.data.json.values import JSONValue, finite, held, parsed, single
 from sketchkit.data.json_writing import quote
 
-T = TypeVar("T")
 
-
-class JSONObject(JSONValue, MutableMapping[str, object], plain=dict):
+class JSONObject(ObjectReading, MutableMapping[str, object], plain=dict):
     """Values that are found by their keys, as JSON has them.
 
     Parameters
@@ -79,91 +62,63 @@ class JSONObject(JSONValue, MutableMapping[str, object], plain=dict):
         """Return a text in quotes, as JSON has it."""
         return quote(string or "")
 
-    def size(self) -> int:
-        """Return how many keys there are."""
-        return len(self._values)
-
-    def hasKey(self, key: str) -> bool:
-        """Return whether there is a key."""
-        return key in self._values
-
-    def isNull(self, key: str) -> bool:
-        """Return whether the value of a key is null, or there is no such key."""
-        return self._values.get(key) is None
-
-    def getString(self, key: str, defaultValue: str | None = None) -> str | None:
-        """Return a text, or None if there is no such key.
-
-        With a second value, anything is returned as text, and that one if there is nothing.
-        """
-        value = self._values.get(key)
-        if value is None:
-            if defaultValue is None:
-                self._remark("getString", key)
-            return defaultValue
-        if defaultValue is None and not isinstance(value, str):
-            raise not_a(f'getString("{key}")', "text", value)
-        return as_text(value)
-
-    def getInt(self, key: str, defaultValue: int | None = None) -> int:
-        """Return a whole number; a second value takes the place of what is none."""
-        return self._found("getInt", key, "number", as_whole, defaultValue)
-
-    getLong = getInt
-
-    def getFloat(self, key: str, defaultValue: float | None = None) -> float:
-        """Return a number; a second value takes the place of what is none."""
-        return self._found("getFloat", key, "number", as_fraction, defaultValue)
-
-    getDouble = getFloat
-
-    def getBoolean(self, key: str, defaultValue: bool | None = None) -> bool:
-        """Return True or False; a second value takes the place of what is neither."""
-        return self._found("getBoolean", key, "truth value", as_truth, defaultValue)
-
-    def getJSONArray(self, key: str) -> JSONArray | None:
-        """Return an array, or None if there is no such key."""
-        return self._part("getJSONArray", key, JSONArray)
-
-    def getJSONObject(self, key: str) -> JSONObject | None:
-        """Return an object, or None if there is no such key."""
-        return self._part("getJSONObject", key, JSONObject)
-
-    def getStringList(self, key: str) -> StringList:
-        """Return an array of texts in a StringList."""
-        return self._array("getStringList", key).toStringList()
-
-    def getIntList(self, key: str) -> IntList:
-        """Return an array of numbers in an IntList."""
-        return self._array("getIntList", key).toIntList()
-
-    def getLongList(self, key: str) -> LongList:
-        """Return an array of numbers in a LongList."""
-        return self._array("getLongList", key).toLongList()
-
-    def getFloatList(self, key: str) -> FloatList:
-        """Return an array of numbers in a FloatList."""
-        return self._array("getFloatList", key).toFloatList()
-
-    def getDoubleList(self, key: str) -> DoubleList:
-        """Return an array of numbers in a DoubleList."""
-        return self._array("getDoubleList", key).toDoubleList()
-
     def setString(self, key: str, value: str | None) -> JSONObject:
-        """Set a text, and return the object."""
+        """Set the text of a key, and return the object.
+
+        Parameters
+        ----------
+        key : str
+            The key.
+        value : str
+            The text; None is JSON's null.
+
+        Examples
+        --------
+        >>> animal = JSONObject()
+        >>> animal.setString("species", "Goat")
+        {"species":"Goat"}
+        """
         if value is not None and not isinstance(value, str):
             hint = f"str({value!r}) makes text of it."
             raise wrong_kind("setString", "text", value, hint, place=key)
         return self.put(key, value)
 
     def setInt(self, key: str, value: int) -> JSONObject:
-        """Set a whole number, and return the object."""
+        """Set the whole number of a key, and return the object.
+
+        Parameters
+        ----------
+        key : str
+            The key.
+        value : int
+            The number; a fraction is cut off.
+
+        Examples
+        --------
+        >>> animal = JSONObject()
+        >>> animal.setInt("legs", 4)
+        {"legs":4}
+        """
         return self.put(key, whole("setInt", value, place=key))
 
     setLong = setInt
 
     def setFloat(self, key: str, value: float) -> JSONObject:
-        """Set a number in 32 bits, and return the object; `setDouble()` keeps all digits."""
+        """Set the number of a key, and return the object.
+
+        Parameters
+        ----------
+        key : str
+            The key.
+        value : float
+            The number; it is kept in 32 bits. `setDouble()` keeps all digits.
+
+        Examples
+        --------
+        >>> animal = JSONObject()
+        >>> animal.setFloat("weight", 4.5)
+        {"weight":4.5}
+        """
         return self.put(key, single("setFloat", fraction("setFloat", value, place=key)))
 
     def setDouble(self, key: str, value: float) -> JSONObject:
@@ -171,15 +126,60 @@ class JSONObject(JSONValue, MutableMapping[str, object], plain=dict):
         return self.put(key, finite("setDouble", fraction("setDouble", value, place=key)))
 
     def setBoolean(self, key: str, value: bool) -> JSONObject:
-        """Set True or False, and return the object."""
+        """Set the truth value of a key, and return the object.
+
+        Parameters
+        ----------
+        key : str
+            The key.
+        value : bool
+            True or False.
+
+        Examples
+        --------
+        >>> animal = JSONObject()
+        >>> animal.setBoolean("tame", True)
+        {"tame":true}
+        """
         return self.put(key, bool(value))
 
     def setJSONObject(self, key: str, value: object) -> JSONObject:
-        """Set an object or a dictionary, and return the object."""
+        """Set the object of a key, and return the object that it stands in.
+
+        Parameters
+        ----------
+        key : str
+            The key.
+        value : JSONObject or dict
+            The object.
+
+        Examples
+        --------
+        >>> place = JSONObject()
+        >>> place.setInt("x", 10)
+        {"x":10}
+        >>> ball = JSONObject()
+        >>> ball.setJSONObject("place", place)
+        {"place":{"x":10}}
+        """
         return self._put_part("setJSONObject", key, value, JSONObject, "a dictionary")
 
     def setJSONArray(self, key: str, value: object) -> JSONObject:
-        """Set an array or a list, and return the object."""
+        """Set the array of a key, and return the object that it stands in.
+
+        Parameters
+        ----------
+        key : str
+            The key.
+        value : JSONArray or list
+            The array.
+
+        Examples
+        --------
+        >>> game = JSONObject()
+        >>> game.setJSONArray("scores", JSONArray([30, 10]))
+        {"scores":[30,10]}
+        """
         return self._put_part("setJSONArray", key, value, JSONArray, "a list")
 
     def put(self, key: str, value: object) -> JSONObject:
@@ -197,34 +197,6 @@ class JSONObject(JSONValue, MutableMapping[str, object], plain=dict):
         """Return what `next()` takes the keys of, one after the other."""
         return iter(self._values)
 
-    def _found(
-        self, name: str, key: str, wanted: str, read: Callable[[object], T | None], other: T | None
-    ) -> T:
-        if key not in self._values and other is None:
-            raise self._no_key(key)
-        value = self._values.get(key)
-        found = read(value)
-        if found is None and other is None:
-            raise not_a(f'{name}("{key}")', wanted, value)
-        return cast("T", other if found is None else found)
-
-    def _part(self, name: str, key: str, kind: type[T]) -> T | None:
-        value = self._values.get(key)
-        if value is None:
-            self._remark(name, key)
-            return None
-        if not isinstance(value, kind):
-            raise not_a(f'{name}("{key}")', kind.__name__, value)
-        return value
-
-    def _array(self, name: str, key: str) -> JSONArray:
-        if key not in self._values:
-            raise self._no_key(key)
-        value = self._values[key]
-        if not isinstance(value, JSONArray):
-            raise not_a(f'{name}("{key}")', "JSONArray", value)
-        return value
-
     def _put_part(
         self, name: str, key: str, value: object, kind: type[JSONValue], plain: str
     ) -> JSONObject:
@@ -232,14 +204,6 @@ class JSONObject(JSONValue, MutableMapping[str, object], plain=dict):
         if part is not None and not isinstance(part, kind):
             raise wrong_kind(name, f"a {kind.__name__} or {plain}", value, place=key)
         return self.put(key, part)
-
-    def _no_key(self, key: object) -> SketchError:
-        return no_name("This JSONObject", "key", key, self._values)
-
-    def _remark(self, name: str, key: str) -> None:
-        """Say that a key is probably misspelt: as in Processing, None is the result."""
-        if key not in self._values and (close := nearest(str(key), self._values)):
-            warn_once(f"{name}() finds no key {key!r} and gives None. Do you mean {close!r}?")
 
     def __len__(self) -> int:
         return len(self._values)

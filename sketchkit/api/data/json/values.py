@@ -28,8 +28,9 @@ class JSONValue:
     def __init__(self, plain: object) -> None:
         raise NotImplementedError
 
-    def __init_subclass__(cls, plain: type) -> None:
-        JSONValue.kinds[plain] = cls
+    def __init_subclass__(cls, plain: type | None = None) -> None:
+        if plain is not None:
+            JSONValue.kinds[plain] = cls
 
     def format(self, indentFactor: int = 2) -> str:
         """Return it as text, with each level moved that far to the right; -1 for a single line."""

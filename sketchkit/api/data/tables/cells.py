@@ -13,12 +13,60 @@ class Cells(TableParts):
     """`getInt()`, `setString()` and the like. A column is its number, from 0, or its title."""
 
     def getString(self, row: int, column: Place) -> str | None:
-        """Return a cell as text; None if it was never set."""
+        """Return a cell as text.
+
+        Parameters
+        ----------
+        row : int
+            Its row, counted from 0.
+        column : int or str
+            Its column: the number, from 0, or the title.
+
+        Returns
+        -------
+        str or None
+            None for a cell that was never set.
+
+        Raises
+        ------
+        SketchError
+            If there is no such row or column.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.getString(0, "name"), table.getString(0, 1)
+        ('Ida', '12')
+        """
         cells, place = self._cell("getString", row, column)
         return cells.text(place, self._missing)
 
     def getInt(self, row: int, column: Place) -> int:
-        """Return a cell as a whole number; 0 if it is none."""
+        """Return a cell as a whole number; what stands behind the point is cut off.
+
+        Parameters
+        ----------
+        row : int
+            Its row, counted from 0.
+        column : int or str
+            Its column: the number, from 0, or the title.
+
+        Returns
+        -------
+        int
+            0 for text that is no number; `setMissingInt()` says what else.
+
+        Raises
+        ------
+        SketchError
+            If there is no such row or column.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.getInt(0, "age") + table.getInt(1, "age"), table.getInt(0, "name")
+        (21, 0)
+        """
         cells, place = self._cell("getInt", row, column)
         return cells.whole(place, self._missing)
 
@@ -28,7 +76,31 @@ class Cells(TableParts):
         return cells.long(place, self._missing)
 
     def getFloat(self, row: int, column: Place) -> float:
-        """Return a cell as a number; NaN if it is none."""
+        """Return a cell as a number.
+
+        Parameters
+        ----------
+        row : int
+            Its row, counted from 0.
+        column : int or str
+            Its column: the number, from 0, or the title.
+
+        Returns
+        -------
+        float
+            NaN for text that is no number; `setMissingFloat()` says what else.
+
+        Raises
+        ------
+        SketchError
+            If there is no such row or column.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.getFloat(1, "age") / 2
+        4.5
+        """
         cells, place = self._cell("getFloat", row, column)
         return cells.fraction(place, self._missing, self._missing.fraction)
 
@@ -38,7 +110,25 @@ class Cells(TableParts):
         return cells.fraction(place, self._missing, self._missing.double)
 
     def setString(self, row: int, column: Place, value: str | None) -> None:
-        """Set a cell to a text. A title that no column has adds a column; a row too far, rows."""
+        """Set a cell to a text; the table grows if it is too small.
+
+        Parameters
+        ----------
+        row : int
+            Its row, counted from 0. A row beyond the end adds rows.
+        column : int or str
+            The number, from 0, or the title. A title that no column has adds a column.
+        value : str
+            The text; None for a missing one.
+
+        Examples
+        --------
+        >>> table = Table()
+        >>> table.setString(0, "name", "Ida")
+        >>> table.setString(1, "name", "Ben")
+        >>> table.getRowCount(), table.getString(1, "name")
+        (2, 'Ben')
+        """
         if value is not None and not isinstance(value, str):
             hint = f"str({value!r}) makes text of it."
             raise wrong_kind("setString", "text", value, hint, place=column)
@@ -50,7 +140,29 @@ class Cells(TableParts):
         cells.cells[place] = value
 
     def setInt(self, row: int, column: Place, value: int) -> None:
-        """Set a cell to a whole number: as text, if the column has text."""
+        """Set a cell to a whole number: as text, if the column has text.
+
+        Parameters
+        ----------
+        row : int
+            Its row, counted from 0. A row beyond the end adds rows.
+        column : int or str
+            Its column: the number, from 0, or the title.
+        value : int
+            The number; a fraction is cut off.
+
+        Raises
+        ------
+        SketchError
+            If the column is one for fractions, or no column has the title.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.setInt(0, "age", 13)
+        >>> table.getInt(0, "age"), table.getString(0, "age")
+        (13, '13')
+        """
         number = whole("setInt", value, place=column)
         cells, place = self._settable("setInt", row, column)
         if cells.kind is ColumnKind.STRING:
@@ -63,7 +175,30 @@ class Cells(TableParts):
     setLong = setInt
 
     def setFloat(self, row: int, column: Place, value: float) -> None:
-        """Set a cell to a number: as text, if the column has text."""
+        """Set a cell to a number: as text, if the column has text.
+
+        Parameters
+        ----------
+        row : int
+            Its row, counted from 0. A row beyond the end adds rows.
+        column : int or str
+            Its column: the number, from 0, or the title.
+        value : float
+            The number; in text seven digits of it are kept. `setDouble()` keeps all.
+
+        Raises
+        ------
+        SketchError
+            If the column is one for whole numbers, or no column has the title.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.addColumn("height", Table.FLOAT)
+        >>> table.setFloat(0, "height", 1.52)
+        >>> table.getFloat(0, "height")
+        1.52
+        """
         self._set_fraction("setFloat", row, column, value)
 
     def setDouble(self, row: int, column: Place, value: float) -> None:
@@ -71,7 +206,19 @@ class Cells(TableParts):
         self._set_fraction("setDouble", row, column, value)
 
     def getStringColumn(self, column: Place) -> list[str | None]:
-        """Return a column as a list of texts."""
+        """Return a column as a list of texts.
+
+        Parameters
+        ----------
+        column : int or str
+            The number, from 0, or the title.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.getStringColumn("name")
+        ['Ida', 'Ben']
+        """
         return [self.getString(row, column) for row in range(self._count)]
 
     def getIntColumn(self, column: Place) -> list[int]:

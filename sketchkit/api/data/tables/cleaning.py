@@ -13,19 +13,32 @@ from sketchkit.api.data.lists.int_list import IntList
 from sketchkit.api.data.lists.string_list import StringList
 from sketchkit.api.data.tables.cells import Cells
 from sketchkit.api.data.tables.columns import Columns
+from sketchkit.api.data.tables.finding import Finding
 from sketchkit.api.data.tables.parts import Place
-from sketchkit.api.data.tables.rows import Rows
 from sketchkit.api.data.tables.table_row import TableRow
 from sketchkit.core.errors import SketchError, shown
 from sketchkit.data import strings
 from sketchkit.data.columns import ColumnKind
 
 
-class Cleaning(Cells, Columns, Rows):
+class Cleaning(Cells, Columns, Finding):
     """`trim()`, `removeTokens()`, `getTally()` and the like. Without a column they mean all."""
 
     def trim(self, column: Place | None = None) -> None:
-        """Remove spaces around texts; without a column blank rows and columns at the edges, too."""
+        """Remove spaces around texts; without a column blank rows and columns at the edges, too.
+
+        Parameters
+        ----------
+        column : int or str, optional
+            The number, from 0, or the title; all columns if it is left out.
+
+        Examples
+        --------
+        >>> table = Table([{"name": " Ida "}, {"name": ""}])
+        >>> table.trim()
+        >>> table.getStringColumn("name")
+        ['Ida']
+        """
         self._change("trim", column, strings.trim)
         if column is None:
             for each in self._columns:
@@ -33,7 +46,22 @@ class Cleaning(Cells, Columns, Rows):
             self._remove_blank_edges()
 
     def removeTokens(self, tokens: str, column: Place | None = None) -> None:
-        """Remove single characters from texts, wherever they stand."""
+        """Remove single characters from texts, wherever they stand.
+
+        Parameters
+        ----------
+        tokens : str
+            The characters.
+        column : int or str, optional
+            The number, from 0, or the title; all columns if it is left out.
+
+        Examples
+        --------
+        >>> table = Table([{"price": "$1,250"}])
+        >>> table.removeTokens("$,")
+        >>> table.getInt(0, "price")
+        1250
+        """
         nothing = str.maketrans("", "", tokens)
         self._change("removeTokens", column, lambda text: text.translate(nothing))
 

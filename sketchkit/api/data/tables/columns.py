@@ -13,7 +13,22 @@ class Columns(TableParts):
     """`addColumn()`, `getColumnCount()` and the like."""
 
     def addColumn(self, title: str | None = None, type: int | str = ColumnKind.STRING) -> None:
-        """Add a column at the right; without a type it is one for text."""
+        """Add a column at the right; without a type it is one for text.
+
+        Parameters
+        ----------
+        title : str, optional
+            Its title.
+        type : int or str, optional
+            What it holds: `Table.STRING`, `INT`, `LONG`, `FLOAT`, `DOUBLE` or `CATEGORY`.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.addColumn("height", Table.FLOAT)
+        >>> table.getColumnTitles()
+        ['name', 'age', 'height']
+        """
         self.insertColumn(len(self._columns), title, type)
 
     def insertColumn(
@@ -28,11 +43,35 @@ class Columns(TableParts):
         self._columns.insert(place, Column([BLANK[kind]] * self._count, kind, title))
 
     def removeColumn(self, column: Place) -> None:
-        """Remove a column."""
+        """Remove a column, with all of its cells.
+
+        Parameters
+        ----------
+        column : int or str
+            The number, from 0, or the title.
+
+        Raises
+        ------
+        SketchError
+            If there is no such column.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.removeColumn("age")
+        >>> table.getColumnTitles()
+        ['name']
+        """
         del self._columns[self._column_place("removeColumn", column)]
 
     def getColumnCount(self) -> int:
-        """Return how many columns there are."""
+        """Return how many columns there are.
+
+        Examples
+        --------
+        >>> loadTable("ages.csv", "header").getColumnCount()
+        2
+        """
         return len(self._columns)
 
     def setColumnCount(self, newCount: int) -> None:

@@ -1,15 +1,13 @@
-"""The rows of a table: added, removed, found, sorted."""
+"""The rows of a table: added, removed, sorted."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from sketchkit.api.data.faults import whole
 from sketchkit.api.data.tables.parts import Place, TableParts
 from sketchkit.api.data.tables.table_row import TableRow
 from sketchkit.core.errors import SketchError, shown
-from sketchkit.data import strings
 from sketchkit.data.columns import BLANK, ColumnKind
 from sketchkit.data.ordering import sort_in_place
 
@@ -17,10 +15,19 @@ RowSource = TableRow | Sequence[object]
 
 
 class Rows(TableParts):
-    """`addRow()`, `findRow()`, `rows()` and the like."""
+    """`addRow()`, `rows()`, `sort()` and the like."""
 
     def getRowCount(self) -> int:
-        """Return how many rows there are."""
+        """Return how many rows there are; a line of titles is none of them.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> for i in range(table.getRowCount()):
+        ...     println(table.getString(i, "name"))
+        Ida
+        Ben
+        """
         return self._count
 
     def setRowCount(self, newCount: int) -> None:
@@ -32,16 +39,68 @@ class Rows(TableParts):
         return self._count - 1
 
     def getRow(self, row: int) -> TableRow:
-        """Return a row, counted from 0."""
+        """Return a row.
+
+        Parameters
+        ----------
+        row : int
+            Its number, from 0.
+
+        Raises
+        ------
+        SketchError
+            If there is no such row.
+
+        Examples
+        --------
+        >>> row = loadTable("ages.csv", "header").getRow(1)
+        >>> row.getString("name"), row.getInt("age")
+        ('Ben', 9)
+        """
         return TableRow(self, self._row_place("getRow", row))
 
     def rows(self, indices: Iterable[int] | None = None) -> list[TableRow]:
-        """Return all rows, or those of the given numbers."""
+        """Return a list of all rows, or of some.
+
+        Parameters
+        ----------
+        indices : list of int, optional
+            The numbers of those rows, from 0.
+
+        Notes
+        -----
+        `for row in table` goes through all rows, too.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> for row in table.rows():
+        ...     println(row.getString("name"), row.getInt("age"))
+        Ida 12
+        Ben 9
+        """
         places = range(self._count) if indices is None else indices
         return [self.getRow(place) for place in places]
 
     def addRow(self, source: RowSource | None = None) -> TableRow:
-        """Add a row, and return it: a blank one, a copy of one, or one of a list's values."""
+        """Add a row at the end, and return it.
+
+        Parameters
+        ----------
+        source : TableRow or list, optional
+            A row to copy, or a list of values; without it the row is blank.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> row = table.addRow()
+        >>> row.setString("name", "Cleo")
+        >>> row.setInt("age", 30)
+        >>> table.addRow(["Dora", 7]).getInt("age")
+        7
+        >>> table.getStringColumn("name")
+        ['Ida', 'Ben', 'Cleo', 'Dora']
+        """
         if source is None:
             self._resize(self._count + 1)
             return TableRow(self, self._count - 1)
@@ -77,60 +136,67 @@ class Rows(TableParts):
         self.setRow(place, columnData)
 
     def removeRow(self, row: int) -> None:
-        """Remove a row."""
+        """Remove a row; those behind it move up.
+
+        Parameters
+        ----------
+        row : int
+            Its number, from 0.
+
+        Raises
+        ------
+        SketchError
+            If there is no such row.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.removeRow(0)
+        >>> table.getString(0, "name")
+        'Ben'
+        """
         place = self._row_place("removeRow", row)
         for column in self._columns:
             del column.cells[place]
         self._count -= 1
 
     def clearRows(self) -> None:
-        """Remove all rows; the columns stay."""
+        """Remove all rows; the columns stay.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.clearRows()
+        >>> table.getRowCount(), table.getColumnCount()
+        (0, 2)
+        """
         self._resize(0)
 
-    def findRowIndex(self, value: str | None, column: Place) -> int:
-        """Return the number of the first row with a text in a column, or -1."""
-        return next(self._places(column, lambda text: text == value), -1)
-
-    def findRowIndices(self, value: str | None, column: Place) -> list[int]:
-        """Return the numbers of all rows with a text in a column."""
-        return list(self._places(column, lambda text: text == value))
-
-    def findRow(self, value: str | None, column: Place) -> TableRow | None:
-        """Return the first row with a text in a column; None if there is none."""
-        place = self.findRowIndex(value, column)
-        return None if place < 0 else TableRow(self, place)
-
-    def findRows(self, value: str | None, column: Place) -> list[TableRow]:
-        """Return all rows with a text in a column."""
-        return self.rows(self.findRowIndices(value, column))
-
-    def findRowIterator(self, value: str | None, column: Place) -> Iterator[TableRow]:
-        """Return what `next()` takes those rows of, one after the other."""
-        return iter(self.findRows(value, column))
-
-    def matchRowIndex(self, regexp: str, column: Place) -> int:
-        """Return the number of the first row whose text fits a regular expression, or -1."""
-        return next(self._places(column, _fits(regexp)), -1)
-
-    def matchRowIndices(self, regexp: str, column: Place) -> list[int]:
-        """Return the numbers of all rows whose text fits a regular expression."""
-        return list(self._places(column, _fits(regexp)))
-
-    def matchRow(self, regexp: str, column: Place) -> TableRow | None:
-        """Return the first row whose text fits a regular expression; None if there is none."""
-        place = self.matchRowIndex(regexp, column)
-        return None if place < 0 else TableRow(self, place)
-
-    def matchRows(self, regexp: str, column: Place) -> list[TableRow]:
-        """Return all rows whose text in a column fits a regular expression."""
-        return self.rows(self.matchRowIndices(regexp, column))
-
-    def matchRowIterator(self, value: str, column: Place) -> Iterator[TableRow]:
-        """Return what `next()` takes those rows of, one after the other."""
-        return iter(self.matchRows(value, column))
-
     def sort(self, column: Place) -> None:
-        """Sort the rows by a column: text by the alphabet, numbers with the smallest first."""
+        """Sort the rows by a column: text by the alphabet, numbers with the smallest first.
+
+        Parameters
+        ----------
+        column : int or str
+            The number, from 0, or the title.
+
+        See Also
+        --------
+        sortReverse
+
+        Notes
+        -----
+        Text that consists of digits is still text, and "12" comes before "9": give the column a
+        type with `setColumnType()`.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.setColumnType("age", Table.INT)
+        >>> table.sort("age")
+        >>> table.getStringColumn("name")
+        ['Ben', 'Ida']
+        """
         self._sort("sort", column)
 
     def sortReverse(self, column: Place) -> None:
@@ -148,10 +214,6 @@ class Rows(TableParts):
         for each in self._columns:
             each.cells = [each.cells[row] for row in order]
 
-    def _places(self, column: Place, is_wanted: Callable[[str | None], bool]) -> Iterator[int]:
-        cells = self._columns[self._column_place("findRow", column)]
-        return (row for row in range(self._count) if is_wanted(cells.text(row, self._missing)))
-
     def __iter__(self) -> Iterator[TableRow]:
         return iter(self.rows())
 
@@ -160,11 +222,3 @@ class Rows(TableParts):
 
     def __bool__(self) -> bool:
         return True  # there is a table, even if it has no rows
-
-
-def _fits(regexp: str) -> Callable[[str | None], bool]:
-    try:
-        strings.match("", regexp)
-    except (re.error, TypeError):
-        raise SketchError("A row is matched by a regular expression.", got=shown(regexp)) from None
-    return lambda text: text is not None and strings.match(text, regexp) is not None

@@ -39,11 +39,35 @@ class TableRow:
         self._row = row
 
     def getString(self, column: Place) -> str | None:
-        """Return a cell as text; None if it was never set."""
+        """Return a cell as text; None if it was never set.
+
+        Parameters
+        ----------
+        column : int or str
+            Its column: the number, from 0, or the title.
+
+        Examples
+        --------
+        >>> row = loadTable("ages.csv", "header").getRow(0)
+        >>> row.getString("name"), row.getString(1)
+        ('Ida', '12')
+        """
         return self._table.getString(self._row, column)
 
     def getInt(self, column: Place) -> int:
-        """Return a cell as a whole number; 0 if it is none."""
+        """Return a cell as a whole number; 0 for text that is no number.
+
+        Parameters
+        ----------
+        column : int or str
+            Its column: the number, from 0, or the title.
+
+        Examples
+        --------
+        >>> row = loadTable("ages.csv", "header").getRow(0)
+        >>> row.getInt("age"), row.getInt("name")
+        (12, 0)
+        """
         return self._table.getInt(self._row, column)
 
     def getLong(self, column: Place) -> int:
@@ -51,7 +75,18 @@ class TableRow:
         return self._table.getLong(self._row, column)
 
     def getFloat(self, column: Place) -> float:
-        """Return a cell as a number; NaN if it is none."""
+        """Return a cell as a number; NaN for text that is no number.
+
+        Parameters
+        ----------
+        column : int or str
+            Its column: the number, from 0, or the title.
+
+        Examples
+        --------
+        >>> row = loadTable("ages.csv", "header").getRow(1)
+        >>> circle(50, 50, row.getFloat("age") * 2.5)
+        """
         return self._table.getFloat(self._row, column)
 
     def getDouble(self, column: Place) -> float:
@@ -59,17 +94,63 @@ class TableRow:
         return self._table.getDouble(self._row, column)
 
     def setString(self, column: Place, value: str | None) -> None:
-        """Set a cell to a text. A title that no column has adds a column."""
+        """Set a cell to a text. A title that no column has adds a column.
+
+        Parameters
+        ----------
+        column : int or str
+            Its column: the number, from 0, or the title.
+        value : str
+            The text; None for a missing one.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> table.getRow(0).setString("name", "Ida Noe")
+        >>> table.getString(0, "name")
+        'Ida Noe'
+        """
         self._table.setString(self._row, column, value)
 
     def setInt(self, column: Place, value: int) -> None:
-        """Set a cell to a whole number: as text, if the column has text."""
+        """Set a cell to a whole number: as text, if the column has text.
+
+        Parameters
+        ----------
+        column : int or str
+            Its column: the number, from 0, or the title.
+        value : int
+            The number; a fraction is cut off.
+
+        Examples
+        --------
+        >>> table = loadTable("ages.csv", "header")
+        >>> for row in table.rows():
+        ...     row.setInt("age", row.getInt("age") + 1)
+        >>> table.getIntColumn("age")
+        [13, 10]
+        """
         self._table.setInt(self._row, column, value)
 
     setLong = setInt
 
     def setFloat(self, column: Place, value: float) -> None:
-        """Set a cell to a number: as text, if the column has text."""
+        """Set a cell to a number: as text, if the column has text.
+
+        Parameters
+        ----------
+        column : int or str
+            Its column: the number, from 0, or the title.
+        value : float
+            The number; in text seven digits of it are kept. `setDouble()` keeps all.
+
+        Examples
+        --------
+        >>> row = loadTable("ages.csv", "header").getRow(0)
+        >>> row.setFloat("age", 12.5)
+        >>> row.getFloat("age")
+        12.5
+        """
         self._table.setFloat(self._row, column, value)
 
     def setDouble(self, column: Place, value: float) -> None:
@@ -77,11 +158,32 @@ class TableRow:
         self._table.setDouble(self._row, column, value)
 
     def getColumnCount(self) -> int:
-        """Return how many columns there are."""
+        """Return how many columns there are.
+
+        Examples
+        --------
+        >>> row = loadTable("ages.csv", "header").getRow(0)
+        >>> for i in range(row.getColumnCount()):
+        ...     println(row.getString(i))
+        Ida
+        12
+        """
         return self._table.getColumnCount()
 
     def getColumnTitle(self, column: int) -> str | None:
-        """Return the title of a column; None if it has none."""
+        """Return the title of a column; None if it has none.
+
+        Parameters
+        ----------
+        column : int
+            Its number, from 0.
+
+        Examples
+        --------
+        >>> row = loadTable("ages.csv", "header").getRow(0)
+        >>> row.getColumnTitle(0), row.getString(0)
+        ('name', 'Ida')
+        """
         return self._table.getColumnTitle(column)
 
     def getColumnTitles(self) -> list[str | None] | None:

@@ -52,7 +52,29 @@ class XML(Attributes):
 
     @staticmethod
     def parse(data: str, options: str | None = None) -> XML:
-        """Return the root element of a document that a text holds."""
+        """Return the root element of a document that a text holds.
+
+        Parameters
+        ----------
+        data : str
+            The text.
+        options : str, optional
+            None has a meaning.
+
+        Raises
+        ------
+        SketchError
+            If it is not well-formed; it tells the line.
+
+        See Also
+        --------
+        parseXML, loadXML
+
+        Examples
+        --------
+        >>> XML.parse("<zoo><animal/></zoo>").listChildren()
+        ['animal']
+        """
         return XML.read("The text", data)
 
     @staticmethod
@@ -66,11 +88,31 @@ class XML(Attributes):
             raise unreadable(source, error) from None
 
     def getName(self) -> str:
-        """Return the tag of an element; "#text" for a text, "#comment" for a comment."""
+        """Return the tag of an element; "#text" for a text, "#comment" for a comment.
+
+        Examples
+        --------
+        >>> zoo = loadXML("zoo.xml")
+        >>> zoo.getName(), zoo.getChild(0).getName()
+        ('zoo', 'animal')
+        """
         return self.name
 
     def setName(self, newName: str) -> None:
-        """Give an element another tag."""
+        """Give an element another tag.
+
+        Parameters
+        ----------
+        newName : str
+            The tag: letters and digits, without spaces.
+
+        Examples
+        --------
+        >>> animal = XML("animal")
+        >>> animal.setName("plant")
+        >>> println(animal)
+        <plant/>
+        """
         self.name = _tag("setName", newName)
 
     def getLocalName(self) -> str:
@@ -78,27 +120,92 @@ class XML(Attributes):
         return self.name.rpartition(":")[2]
 
     def getParent(self) -> XML | None:
-        """Return the element that this one stands in; None for the first of all."""
+        """Return the element that this one stands in; None for the first of all.
+
+        Examples
+        --------
+        >>> zoo = loadXML("zoo.xml")
+        >>> animal = zoo.getChild("animal")
+        >>> animal.getParent().getName(), zoo.getParent()
+        ('zoo', None)
+        """
         return self.parent
 
     def getChildCount(self) -> int:
-        """Return how many children there are, texts among them."""
+        """Return how many children there are, texts and line ends among them.
+
+        See Also
+        --------
+        getChildren
+
+        Examples
+        --------
+        >>> parseXML("<zoo><animal/><animal/></zoo>").getChildCount()
+        2
+        >>> parseXML("<zoo> <animal/> </zoo>").listChildren()
+        ['#text', 'animal', '#text']
+        """
         return len(self.children)
 
     def hasChildren(self) -> bool:
-        """Return whether anything stands in it."""
+        """Return whether anything stands in an element, be it text or other elements.
+
+        Examples
+        --------
+        >>> parseXML("<zoo><animal/></zoo>").hasChildren(), XML("zoo").hasChildren()
+        (True, False)
+        """
         return bool(self.children)
 
     def listChildren(self) -> list[str]:
-        """Return the names of the children."""
+        """Return the names of the children.
+
+        Examples
+        --------
+        >>> parseXML("<zoo><animal/><plant/></zoo>").listChildren()
+        ['animal', 'plant']
+        """
         return [child.name for child in self.children]
 
     def getChildren(self, name: str | None = None) -> list[XML]:
-        """Return all children, or those of a name, or at a path of names: "group/item"."""
+        """Return a list of all children, or of those of a name.
+
+        Parameters
+        ----------
+        name : str, optional
+            The name, or a path of names: "cage/animal".
+
+        Examples
+        --------
+        >>> zoo = parseXML("<zoo><animal>Goat</animal><cage><animal>Lion</animal></cage></zoo>")
+        >>> for animal in zoo.getChildren("animal") + zoo.getChildren("cage/animal"):
+        ...     println(animal.getContent())
+        Goat
+        Lion
+        """
         return list(self.children) if name is None else self.descendants_at(_path(name))
 
     def getChild(self, name: int | str) -> XML | None:
-        """Return the child at a place, or the first one of a name or at a path, or None."""
+        """Return the child at a place, or the first one of a name; None if no child has it.
+
+        Parameters
+        ----------
+        name : int or str
+            The place, counted from 0; the name; or a path of names: "cage/animal".
+
+        Raises
+        ------
+        SketchError
+            If there is no such place.
+
+        Examples
+        --------
+        >>> zoo = parseXML("<zoo><animal>Goat</animal><cage><animal>Lion</animal></cage></zoo>")
+        >>> zoo.getChild("animal").getContent(), zoo.getChild("cage/animal").getContent()
+        ('Goat', 'Lion')
+        >>> zoo.getChild(1).getName(), zoo.getChild("plant")
+        ('cage', None)
+        """
         if isinstance(name, str):
             return self.first_at(_path(name))
         place = whole("getChild", name)
@@ -107,7 +214,21 @@ class XML(Attributes):
         return self.children[place]
 
     def addChild(self, tag: str | XML) -> XML:
-        """Add an element at the end: a new one, or a copy of another. Return it."""
+        """Add an element at the end: a new one, or a copy of another. Return it.
+
+        Parameters
+        ----------
+        tag : str or XML
+            The name of the new element, or the element to copy.
+
+        Examples
+        --------
+        >>> zoo = XML("zoo")
+        >>> animal = zoo.addChild("animal")
+        >>> animal.setContent("Goat")
+        >>> println(zoo)
+        <zoo><animal>Goat</animal></zoo>
+        """
         if self.kind is not Kind.ELEMENT:
             raise SketchError(f"Only elements have children; this is {self.name}.")
         if isinstance(tag, XML):
@@ -115,7 +236,25 @@ class XML(Attributes):
         return self.place_last(XML(_tag("addChild", tag)))
 
     def removeChild(self, kid: XML) -> None:
-        """Remove a child."""
+        """Remove a child.
+
+        Parameters
+        ----------
+        kid : XML
+            The child; `getChild()` finds one.
+
+        Raises
+        ------
+        SketchError
+            If it is no child of this element.
+
+        Examples
+        --------
+        >>> zoo = parseXML("<zoo><animal/><plant/></zoo>")
+        >>> zoo.removeChild(zoo.getChild("plant"))
+        >>> println(zoo)
+        <zoo><animal/></zoo>
+        """
         place = next((p for p, child in enumerate(self.children) if child is kid), None)
         if place is None:
             raise SketchError(
@@ -130,7 +269,22 @@ class XML(Attributes):
         self.remove_blank_texts()
 
     def format(self, indent: int = 2) -> str:
-        """Return it as text, with each level moved that far to the right; -1 for a single line."""
+        """Return it as text, with each element on a line of its own.
+
+        Parameters
+        ----------
+        indent : int
+            How many spaces each level is moved to the right; -1 puts all on one line.
+
+        Examples
+        --------
+        >>> println(parseXML("<zoo><animal/></zoo>").format(4))
+        <?xml version="1.0" encoding="UTF-8"?>
+        <zoo>
+            <animal/>
+        </zoo>
+        <BLANKLINE>
+        """
         return write_xml(self, indent)
 
     def print(self) -> None:
@@ -148,7 +302,13 @@ class XML(Attributes):
         return True
 
     def toString(self) -> str:
-        """Return it as text in a single line."""
+        """Return it as text in a single line.
+
+        Examples
+        --------
+        >>> parseXML("<zoo> <animal/> </zoo>").toString()
+        '<zoo><animal/></zoo>'
+        """
         return self.format(COMPACT)
 
     def __iter__(self) -> Iterator[XML]:
