@@ -24,7 +24,7 @@ OF_PYTHON = frozenset(
         *("append", "find", "index", "items", "keys", "values", "lower", "upper", "strip"),
         *("startswith", "endswith", "replace", "system", "home", "splitext", "makedirs", "dot"),
         *("run", "quote_plus", "unquote_plus", "split", "SystemExit", "list", "attrib", "Ball"),
-        *("getShape", "getName", "arrayCopy"),
+        *("getShape", "getName", "getFloat", "rows"),
     }
 )
 
