@@ -92,6 +92,7 @@ def test_they_are_pythons_too() -> None:
     assert (json["name"], json["scores"][1], json["at"]["x"], len(json)) == ("Ida", 2, 3, 4)
     assert list(json) == ["name", "scores", "at", "age"]
     assert json == {"name": "Ida", "scores": [1, 2], "at": {"x": 3}, "age": 12}
+    assert str(json.keys()) == "dict_keys(['name', 'scores', 'at', 'age'])"
     assert [*JSONArray(np.arange(3))] == [0, 1, 2]
 
 

@@ -94,6 +94,12 @@ def test_row_knows_its_columns(people: Table) -> None:
     assert Table([row]).getRow(0).getColumnTitle(1) == "age"
 
 
+def test_rows_are_taken_as_the_items_of_a_list(people: Table) -> None:
+    assert (people[0]["name"], people[-1].getInt("age")) == ("Anna", 7)
+    assert [row.getInt("age") for row in people[:2]] == [12, 9]
+    assert repr(Table([{"a": 1}])) == "Table of 1 row, 1 column"
+
+
 def test_row_of_a_table_without_titles_has_none() -> None:
     table = Table()
     table.setString(0, 1, "x")
@@ -209,6 +215,9 @@ def test_titles_and_types_come_from_another_file(sketch: Sketch, tmp_path: Path)
         (lambda t: t.setColumnType("age", "integer"), "Table.STRING, INT"),
         (lambda t: t.matchRow("(", "age"), "regular expression"),
         (lambda t: t.matchRows("n", "nmae"), "Do you mean 'name'"),
+        (lambda t: t[5], "no row 5"),
+        (lambda t: t[-6], "no row -6"),
+        (lambda t: t["age"], r"getStringColumn\('age'\) gives a column"),
         (lambda t: t.removeRow(5), "no row 5.*\n.*Its rows are 0 to 4"),
         (lambda t: t.removeColumn(3), "Its columns are 0 to 2"),
         (lambda t: t.getRow(0).getColumnTitle(3), "Its columns are 0 to 2"),

@@ -86,6 +86,13 @@ def test_blank_texts_are_removed(zoo: XML) -> None:
     assert len(zoo) == 3
 
 
+def test_children_are_taken_as_the_items_of_a_list(zoo: XML) -> None:
+    zoo.trim()
+
+    assert (zoo[1].getContent(), zoo[-1].getName()) == ("Leopard", "cage")
+    assert [child.getInt("id") for child in zoo[:2]] == [0, 1]
+
+
 def test_element_without_children_is_true() -> None:
     assert XML("a")
 
@@ -105,6 +112,8 @@ def test_file_is_saved_and_loaded(tmp_path: Path, zoo: XML) -> None:
         (lambda x: x.getInt("city"), "The attribute city of <zoo> is no whole number"),
         (lambda x: x.getChild("/cage"), "path of names"),
         (lambda x: x.getChild(99), "from 0 to 6"),
+        (lambda x: x[99], "from 0 to 6"),
+        (lambda x: x["city"], r"getString\('city'\) an attribute"),
         (lambda x: x.removeChild(XML("z")), "takes a child of <zoo>"),
         (lambda x: x.setString("n", 4), r"str\(4\)"),
         (lambda x: x.addChild("<b>"), r"parseXML\(\)"),

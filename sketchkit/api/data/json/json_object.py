@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, MutableMapping
+from collections.abc import (
+    ItemsView,
+    Iterator,
+    KeysView,
+    Mapping,
+    MutableMapping,
+    ValuesView,
+)
 from typing import cast
 
 from sketchkit.api.data.dicts.value_dict import ValueDict
@@ -192,6 +199,18 @@ class JSONObject(ObjectReading, MutableMapping[str, object], plain=dict):
     def remove(self, key: str) -> object:
         """Remove a key, and return its value; None if there is no such key."""
         return self._values.pop(key, None)
+
+    def keys(self) -> KeysView[str]:
+        """Return the keys, in the order in which they came."""
+        return self._values.keys()
+
+    def values(self) -> ValuesView[object]:
+        """Return the values, in the order of the keys."""
+        return self._values.values()
+
+    def items(self) -> ItemsView[str, object]:
+        """Return pairs of a key and its value."""
+        return self._values.items()
 
     def keyIterator(self) -> Iterator[str]:
         """Return what `next()` takes the keys of, one after the other."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import overload
 
-from sketchkit.api.data.faults import whole
+from sketchkit.api.data.faults import whole, wrong_kind
 from sketchkit.api.data.tables.parts import Place, TableParts
 from sketchkit.api.data.tables.table_row import TableRow
 from sketchkit.core.errors import SketchError, shown
@@ -216,6 +217,19 @@ class Rows(TableParts):
 
     def __iter__(self) -> Iterator[TableRow]:
         return iter(self.rows())
+
+    @overload
+    def __getitem__(self, row: int) -> TableRow: ...
+    @overload
+    def __getitem__(self, row: slice) -> list[TableRow]: ...
+    def __getitem__(self, row: int | slice) -> TableRow | list[TableRow]:
+        if isinstance(row, slice):
+            return self.rows()[row]
+        if isinstance(row, str):
+            hint = f"getStringColumn({row!r}) gives a column."
+            raise wrong_kind("getRow", "the number of a row", row, hint)
+        place = whole("getRow", row)
+        return self.getRow(place + self._count if -self._count <= place < 0 else place)
 
     def __len__(self) -> int:
         return self._count

@@ -31,7 +31,8 @@ class Table(Cleaning):
 
     Notes
     -----
-    A column is its number, from 0, or its title. `for row in table` goes through the rows.
+    A column is its number, from 0, or its title. `for row in table` goes through the rows;
+    `table[0]` is the first of them.
 
     Examples
     --------
@@ -176,4 +177,8 @@ class Table(Cleaning):
             raise SketchError("Table() takes a file's name, rows or dictionaries.", got=repr(row))
 
     def __repr__(self) -> str:
-        return f"Table of {self._count} rows and {len(self._columns)} columns"
+        return f"Table of {_counted(self._count, 'row')}, {_counted(len(self._columns), 'column')}"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'s' * (count != 1)}"

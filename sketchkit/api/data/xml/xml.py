@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from os import PathLike
+from typing import overload
 
 from sketchkit.api.data.faults import no_place, unreadable, whole, wrong_kind
 from sketchkit.api.data.lists.value_list import Writes
@@ -30,8 +31,9 @@ class XML(Attributes):
     Notes
     -----
     Texts between elements are children, too, and so are line ends: their name is "#text".
-    `for child in xml` goes through the children. A path of names, "group/item", leads further
-    down. Entities that a document defines are put in if they are short; nothing is fetched.
+    `for child in xml` goes through the children, `xml[0]` is the first. A path of names,
+    "group/item", leads further down. Entities that a document defines are put in if they are
+    short; nothing is fetched.
 
     Examples
     --------
@@ -313,6 +315,20 @@ class XML(Attributes):
 
     def __iter__(self) -> Iterator[XML]:
         return iter(list(self.children))
+
+    @overload
+    def __getitem__(self, place: int) -> XML: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[XML]: ...
+    def __getitem__(self, place: int | slice) -> XML | list[XML]:
+        if isinstance(place, str):
+            hint = f"getChild({place!r}) gives a child, getString({place!r}) an attribute."
+            raise wrong_kind("getChild", "a number in square brackets", place, hint)
+        children: list[XML] = list(self.children)
+        try:
+            return children[place]
+        except IndexError:
+            raise no_place("getChild", place, children) from None
 
     def __len__(self) -> int:
         return len(self.children)
