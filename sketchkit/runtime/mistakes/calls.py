@@ -232,6 +232,18 @@ def _whole_number(mistake: Mistake) -> Explanation | None:
     return Explanation(f"The items of a {found[1]} are counted with whole numbers.", hint)
 
 
+def _number_of_many(mistake: Mistake) -> Explanation | None:
+    """Explain `int()` and `float()` of something else than one text or number."""
+    found = re.match(r"(int|float)\(\) argument must be .*, not '(.+)'", mistake.text)
+    if not found:
+        return None
+    problem = f"{found[1]}() takes one text or number, not {KINDS.get(found[2], found[2])}."
+    if found[2] not in ("list", "tuple"):
+        return Explanation(problem)
+    parse = {"int": "parseInt", "float": "parseFloat"}[found[1]]
+    return Explanation(problem, f"{parse}(...) makes a number of each of its items.")
+
+
 def _subscript(mistake: Mistake) -> Explanation | None:
     found = re.match(r"'(.+)' object (is not subscriptable|does not support item)", mistake.text)
     if not found:
@@ -264,6 +276,7 @@ CASES: tuple[Callable[[Mistake], Explanation | None], ...] = (
     _wrong_count_in_c,
     _operands,
     _whole_number,
+    _number_of_many,
     _subscript,
     _iteration,
 )

@@ -68,11 +68,9 @@ def explain_attribute(mistake: Mistake) -> Explanation | None:
     if not isinstance(name, str):
         return None
     if owner is None:
-        what = mistake.written(getattr(mistake.expression, "value", None)) or "The value"
-        return Explanation(
-            f"{what} is None, and None has no {name}.",
-            "Is the function that should have given a value without a return?",
-        )
+        value = getattr(mistake.expression, "value", None)
+        what = mistake.written(value) or "The value"
+        return Explanation(f"{what} is None, and None has no {name}.", _why_none(value, mistake))
     problem = f"{_the(owner)} has no {name}."
     if instead := instead_of_attribute(name, _owners(owner)):
         return Explanation(problem, instead)
@@ -81,6 +79,27 @@ def explain_attribute(mistake: Mistake) -> Explanation | None:
     if is_module and not isinstance(owner, ModuleType):
         return Explanation(problem, f"For Python's module write import {written} at the beginning.")
     return Explanation(problem, _suggestion(name, _visible(dir(owner))))
+
+
+def _why_none(value: ast.AST | None, mistake: Mistake) -> str:
+    """Return what probably made a value None: a search that found nothing, or no return."""
+    match value:
+        case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)):
+            tree = mistake.source.tree if mistake.source else ast.Module([], [])
+            functions = (n for n in ast.walk(tree) if isinstance(n, ast.FunctionDef))
+            is_own = any(function.name == name for function in functions)
+            if SEARCHES.match(name) and not is_own and name in _every_name():
+                return f"{name}() gives None where it finds nothing."
+    return "Is the function that should have given a value without a return?"
+
+
+# How the names of Processing's functions begin that give None where they find nothing.
+SEARCHES = re.compile("get|find|match|parse|read")
+
+
+def _every_name() -> frozenset[str]:
+    """Return the names of Processing's, whatever they belong to."""
+    return frozenset().union(*names_by_owner().values())
 
 
 # What a class is called in Processing's table.
