@@ -18,6 +18,7 @@ from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
 
 if TYPE_CHECKING:
+    from sketchkit.api.data.streams import OutputStream, PrintWriter
     from sketchkit.vector.page import Page
 
 SMOOTH_SAMPLES = 4  # for each pixel; Processing's driver gives 4 for every level of smooth()
@@ -209,6 +210,7 @@ class SketchParts:
     namespace: Mapping[str, object]
     handlers: dict[str, Callable[..., object]]
     _recordings: dict[str, Recording]
+    _begun_files: list[PrintWriter | OutputStream]
     _format: Format
     _host: Host
     _clock: Clock

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable
+from typing import TypeVar
 
 from sketchkit.api._sketch_parts import SketchParts
 from sketchkit.api.data.saving import save_bytes
 from sketchkit.api.data.sources import read_bytes, read_text
 from sketchkit.api.data.streams import BufferedReader, OutputStream, PrintWriter, bytes_of
+from sketchkit.core.notices import warn_once
+
+File = TypeVar("File", PrintWriter, OutputStream)
 
 
 class ByteFiles(SketchParts):
@@ -124,7 +128,7 @@ class ByteFiles(SketchParts):
         >>> with createOutput("numbers.dat") as output:
         ...     count = output.write(bytes([1, 2, 3]))
         """
-        return OutputStream(filename)
+        return self._kept(OutputStream(filename))
 
     def createReader(self, filename: str) -> BufferedReader:
         """Open a text file, to read it line by line.
@@ -164,4 +168,16 @@ class ByteFiles(SketchParts):
         >>> output.println("10 20")
         >>> output.close()
         """
-        return PrintWriter(filename)
+        return self._kept(PrintWriter(filename))
+
+    def remark_on_lost_files(self) -> None:
+        """Say which files were begun, and neither closed nor flushed: the sketch is at its end."""
+        for file in self._begun_files:
+            if file.is_lost:
+                warn_once(
+                    f"{file.filename} is not written in full: close() it at the end.", file.place
+                )
+
+    def _kept(self, file: File) -> File:
+        self._begun_files = [*(begun for begun in self._begun_files if begun.is_open), file]
+        return file

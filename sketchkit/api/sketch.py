@@ -87,6 +87,7 @@ class Sketch(
         self.namespace = {}
         self.handlers = {}
         self._recordings = {}
+        self._begun_files = []
         self._host = host or NoWindow()
         self._format = Format(density=self._host.density)
         self._clock = clock or VirtualClock()

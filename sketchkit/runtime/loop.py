@@ -132,6 +132,7 @@ class Loop:
             if not self.program.needs_arguments(name):  # else it is one of the sketch's own
                 self.program.call(name)
         self._sketch.write_files()
+        self._sketch.remark_on_lost_files()
 
     def _raise_failures(self) -> None:
         """Raise what has gone wrong in a function beside the others."""

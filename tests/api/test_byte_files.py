@@ -7,6 +7,7 @@ import pytest
 
 from sketchkit.api.sketch import Sketch
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from tests.api.sketches import new_sketch
 
 
@@ -57,6 +58,24 @@ def test_writer_whose_block_fails_leaves_the_old_file(sketch: Sketch, tmp_path: 
         output.println(1 / 0)
 
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a.txt", "old")]
+
+
+@pytest.mark.parametrize("create", ["createWriter", "createOutput"])
+def test_file_that_is_never_closed_is_remarked_on_at_the_end(sketch: Sketch, create: str) -> None:
+    lost = getattr(sketch, create)("lost.txt")
+    flushed = getattr(sketch, create)("flushed.txt")
+    closed = getattr(sketch, create)("closed.txt")
+    for file in (lost, flushed, closed):
+        file.write("abc" if create == "createWriter" else b"abc")
+    flushed.flush()
+    closed.close()
+
+    with pytest.warns(SketchWarning) as remarks:
+        sketch.remark_on_lost_files()
+
+    assert [str(remark.message) for remark in remarks] == [
+        "lost.txt is not written in full: close() it at the end."
+    ]
 
 
 def test_reader_gives_line_by_line(sketch: Sketch) -> None:

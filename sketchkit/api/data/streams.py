@@ -9,6 +9,7 @@ from typing import Self
 
 from sketchkit.api.data.saving import save_bytes, save_text
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import calling_place
 from sketchkit.data.text_files import lines_of
 
 
@@ -50,7 +51,8 @@ class BufferedReader:
 class PrintWriter:
     """A text file that is being written; `createWriter()` makes it.
 
-    The file is there after `flush()` or `close()`, and is never seen half written.
+    The file is there after `flush()` or `close()`, and is never seen half written. `is_lost` says
+    whether something was written since, `place` is the line of the sketch that made it.
 
     Examples
     --------
@@ -64,9 +66,16 @@ class PrintWriter:
     """
 
     def __init__(self, filename: str) -> None:
-        self._filename = filename
+        self.filename = filename
+        self.is_lost = False
+        self.place = calling_place()
         self._pieces: list[str] = []
         self._is_open = True
+
+    @property
+    def is_open(self) -> bool:
+        """Whether more can be written."""
+        return self._is_open
 
     def print(self, *values: object) -> None:
         """Write values with spaces between them."""
@@ -80,13 +89,15 @@ class PrintWriter:
         """Write a text."""
         if not self._is_open:
             raise SketchError(
-                f"{self._filename} is closed.", hint="Write all of it before you call close()."
+                f"{self.filename} is closed.", hint="Write all of it before you call close()."
             )
         self._pieces.append(str(text))
+        self.is_lost = True
 
     def flush(self) -> None:
         """Have the file hold all that was written so far."""
-        save_text("createWriter", self._filename, "".join(self._pieces))
+        save_text("createWriter", self.filename, "".join(self._pieces))
+        self.is_lost = False
 
     def close(self) -> None:
         """Finish the file."""
@@ -108,7 +119,8 @@ class PrintWriter:
 class OutputStream(io.BytesIO):
     """A file of bytes that is being written; `createOutput()` makes it.
 
-    The file is there after `flush()` or `close()`, and is never seen half written.
+    The file is there after `flush()` or `close()`, and is never seen half written. `is_lost` says
+    whether something was written since, `place` is the line of the sketch that made it.
 
     Examples
     --------
@@ -121,16 +133,25 @@ class OutputStream(io.BytesIO):
 
     def __init__(self, filename: str) -> None:
         super().__init__()
-        self._filename = filename
+        self.filename = filename
+        self.is_lost = False
+        self.place = calling_place()
+
+    @property
+    def is_open(self) -> bool:
+        """Whether more can be written."""
+        return not self.closed
 
     def write(self, data: object, /) -> int:
         """Write bytes, a list of numbers from -128 to 255, or a single such number."""
+        self.is_lost = True
         return super().write(bytes_of("write", [data] if isinstance(data, int) else data))
 
     def flush(self) -> None:
         """Have the file hold all that was written so far."""
         if not self.closed:
-            save_bytes("createOutput", self._filename, self.getvalue())
+            save_bytes("createOutput", self.filename, self.getvalue())
+            self.is_lost = False
 
     def close(self) -> None:
         """Finish the file."""
