@@ -19,6 +19,7 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.backends.listing import ListingBackend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
+from sketchkit.libraries.built_in import BUILT_IN
 
 HEADER = '''\
 """The names that a sketch sees without importing them. Written by sketchkit: do not edit."""
@@ -98,7 +99,8 @@ def stub() -> str:
     sketch = blank_sketch()
     imports = Imports()
     parts = []
-    for group, names in groups_of(sketch).items():
+    groups = groups_of(sketch) | {"libraries": dict(BUILT_IN)}
+    for group, names in groups.items():
         parts.append(f"\n# {group}\n")
         for name, value in sorted(names.items()):
             if name not in AS_IN_PYTHON:

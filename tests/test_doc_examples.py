@@ -1,4 +1,4 @@
-"""The examples in the docstrings of `api/` run as sketches do, with OpenGL and without a window.
+"""The examples in the docstrings of `api/` and `libraries/` run as sketches do, with OpenGL and without a window.
 
 Where one shows what is printed, that is compared. A remark of sketchkit's is a failure as well:
 what the documentation shows gives none.
@@ -23,7 +23,8 @@ from sketchkit.core.clock import VirtualClock
 from sketchkit.draw.renderer import Renderer
 from sketchkit.runtime.headless import Launch, opened
 
-API = Path(__file__).parents[1] / "sketchkit" / "api"
+PACKAGE = Path(__file__).parents[1] / "sketchkit"
+DOCUMENTED = (PACKAGE / "api", PACKAGE / "libraries")
 WAVE = """
 uniform float time = 0.5;
 uniform vec3 tone = vec3(0.2, 0.5, 0.9);
@@ -39,7 +40,7 @@ WITH_DOCSTRING = (ast.FunctionDef, ast.ClassDef)
 
 def every_example() -> Iterator[doctest.DocTest]:
     parser = doctest.DocTestParser()
-    for path in sorted(API.rglob("*.py")):
+    for path in sorted(path for folder in DOCUMENTED for path in folder.rglob("*.py")):
         tree = ast.parse(path.read_text(encoding="utf-8"))
         for name, text, line in _docstrings(tree, path.stem):
             test = parser.get_doctest(text, {}, name, str(path), line)
@@ -108,7 +109,7 @@ def _inner_function(example: doctest.DocTest, names: dict[str, object]) -> dict[
     """Return the function that an example is of, if it is one of ours that sketches do not see."""
     assert example.filename is not None
     file = Path(example.filename)
-    module = ".".join(file.relative_to(API.parents[1]).with_suffix("").parts)
+    module = ".".join(file.relative_to(PACKAGE.parent).with_suffix("").parts)
     name = example.name.removeprefix(f"{file.stem}.")
     value = getattr(importlib.import_module(module), name, None)
     is_inner = inspect.isfunction(value) and name not in names

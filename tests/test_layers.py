@@ -50,7 +50,7 @@ RULES = {
     "assets": Rule(
         ("core", "geometry", "draw.resources"),
         ("numpy", "PIL", "font_source_sans_pro"),
-        late=("PIL", "svgelements", "OpenEXR", "uharfbuzz"),
+        late=("PIL", "svgelements", "OpenEXR", "uharfbuzz", "av"),
     ),
     "tape": Rule(("core", "geometry", "draw"), ("numpy",)),
     "vector": Rule(("core", "geometry", "draw", "assets"), ("numpy", "pydyf")),
@@ -59,7 +59,7 @@ RULES = {
     "runtime": Rule(
         (*BELOW_API, "tape", "api", "libraries", "backends", "reference"),
         ("numpy",),
-        late=("watchfiles", "av"),
+        late=("watchfiles",),
     ),
     "runtime.screens": Rule(("core",), ("glfw",)),
     "runtime.window": Rule(

@@ -4,6 +4,7 @@ import builtins
 import pytest
 
 from sketchkit.api.names import live_values, names_of
+from sketchkit.libraries.built_in import BUILT_IN
 from sketchkit.stubs import blank_sketch, stub
 
 
@@ -42,7 +43,9 @@ def definition(tree: ast.Module, name: str) -> ast.FunctionDef:
 
 
 def test_every_name_of_a_sketch_is_declared(tree: ast.Module) -> None:
-    assert names_of(blank_sketch()).keys() - {"open"} == declared(tree)
+    seen = names_of(blank_sketch()) | BUILT_IN
+
+    assert seen.keys() - {"open"} == declared(tree)
 
 
 def test_every_annotation_is_understood(tree: ast.Module) -> None:

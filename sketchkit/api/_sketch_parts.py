@@ -198,7 +198,8 @@ class SketchParts:
     """All the attributes there are. Groups add methods, never attributes.
 
     `namespace` is what the student's file has defined, `handlers` those of its functions whose
-    names are values too; `_publish` is called when live values change in the middle of a function.
+    names are values too; `registered` is what libraries want to have called, by its method's name;
+    `_publish` is called when live values change in the middle of a function.
     """
 
     canvas: Canvas
@@ -209,6 +210,7 @@ class SketchParts:
     args: list[str]
     namespace: Mapping[str, object]
     handlers: dict[str, Callable[..., object]]
+    registered: dict[str, list[object]]
     _recordings: dict[str, Recording]
     _begun_files: list[PrintWriter | OutputStream]
     _format: Format

@@ -120,7 +120,8 @@ class Files(SketchParts):
         Parameters
         ----------
         filename : str
-            The `#` become `frameCount`, with zeros in front: `####` is 0001 at first.
+            From the first `#` to the last becomes `frameCount`, with zeros in front: `####` is
+            0001 at first. A single `#` stays as it is. Without an ending it is a `.tif`.
 
         See Also
         --------
@@ -134,11 +135,13 @@ class Files(SketchParts):
 
 
 def numbered(filename: str, frame: int) -> str:
-    """Return a file name in which the first run of `#` has become the frame's number.
+    """Return a file name in which the frame's number stands from the first `#` to the last one.
+
+    A single one stays, as in Processing.
 
     Examples
     --------
     >>> numbered("spin-####.png", 7)
     'spin-0007.png'
     """
-    return re.sub("#+", lambda run: f"{frame:0{len(run.group())}}", filename, count=1)
+    return re.sub("#.*#", lambda run: f"{frame:0{len(run.group())}}", filename, count=1)

@@ -24,6 +24,7 @@ from sketchkit.api.shapes3d import Shapes3D
 from sketchkit.api.stacks import Stacks
 from sketchkit.api.text import Text
 from sketchkit.api.textures import Textures
+from sketchkit.api.view import Views
 from sketchkit.core.constants import ARGB, FX2D, JAVA2D, P3D
 from sketchkit.draw.commands import Settling
 from sketchkit.draw.recorder import Kind
@@ -46,6 +47,7 @@ class PGraphics(
     Attribs,
     Shapes3D,
     Camera,
+    Views,
     Text,
     GlAccess,
 ):

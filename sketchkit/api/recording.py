@@ -19,7 +19,7 @@ class Records(SketchParts):
         renderer : SVG or PDF
             The kind of file.
         filename : str
-            Written beside the sketch. `#` become `frameCount`: `"page-####.svg"` is a file for
+            Written beside the sketch. `##` become `frameCount`: `"page-####.svg"` is a file for
             each frame.
 
         Raises
@@ -73,7 +73,7 @@ class Records(SketchParts):
         renderer : SVG or PDF
             The kind of file.
         filename : str
-            Written beside the sketch. `#` become `frameCount`.
+            Written beside the sketch. `##` become `frameCount`.
 
         Raises
         ------

@@ -21,6 +21,7 @@ from sketchkit.api.offscreen import Offscreen
 from sketchkit.api.outside import Outside
 from sketchkit.api.randomness import Randomness
 from sketchkit.api.recording import Records
+from sketchkit.api.registering import Registering
 from sketchkit.api.requests import Requests
 from sketchkit.api.window_ratio import WindowRatio
 from sketchkit.api.windows import Windows
@@ -47,6 +48,7 @@ class Sketch(
     DataFiles,
     Requests,
     Records,
+    Registering,
     Randomness,
     Dates,
 ):
@@ -86,6 +88,7 @@ class Sketch(
         self.args = list(args)
         self.namespace = {}
         self.handlers = {}
+        self.registered = {}
         self._recordings = {}
         self._begun_files = []
         self._host = host or NoWindow()

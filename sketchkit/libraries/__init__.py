@@ -13,4 +13,11 @@ from collections.abc import Mapping
 LIBRARIES: Mapping[str, str | None] = {
     "pdf": None,
     "svg": None,
+    "peasycam": "sketchkit.libraries.peasycam",
+}
+
+# The modules that `import` finds, as Java's packages are called, unless there are others so named.
+MODULES: Mapping[str, str] = {
+    "peasy": "sketchkit.libraries.peasycam",
+    "peasycam": "sketchkit.libraries.peasycam",
 }

@@ -78,6 +78,7 @@ def _dispatch_mouse(program: Program, event: MouseEvent) -> None:
     pointer.button = event.button
     if event.action in (MouseEvent.PRESS, MouseEvent.RELEASE):
         pointer.is_pressed = event.action == MouseEvent.PRESS
+    program.call_registered("mouseEvent", event)
     program.call(MOUSE_HANDLERS[event.action], event)
     if event.action in (MouseEvent.DRAG, MouseEvent.MOVE):
         pointer.event_x, pointer.event_y = pointer.x, pointer.y
@@ -94,6 +95,7 @@ def _dispatch_key(program: Program, event: KeyEvent) -> None:
     elif event.action == KeyEvent.RELEASE:
         keyboard.held.discard(event.keyCode)
     program.call(KEY_HANDLERS[event.action], event)
+    program.call_registered("keyEvent", event)
     if event.action == KeyEvent.PRESS and keyboard.key == ESC:  # `key = 0` in the handler keeps it
         program.sketch.exit()
 

@@ -28,6 +28,7 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.assets.paths import set_sketch_folder, sketch_folder
 from sketchkit.core import running
 from sketchkit.core.notices import SketchWarning
+from sketchkit.libraries.built_in import BUILT_IN
 from sketchkit.runtime.adding import adder
 from sketchkit.runtime.carrying import adopt, carry
 from sketchkit.runtime.checks import (
@@ -35,6 +36,7 @@ from sketchkit.runtime.checks import (
     refuse_drawing_before_size,
     refuse_hidden_modules,
 )
+from sketchkit.runtime.library_modules import LibraryFinder
 from sketchkit.runtime.python_mode.names import python_mode_names
 from sketchkit.runtime.siblings import Family, SiblingFinder
 from sketchkit.runtime.source import Source
@@ -88,7 +90,7 @@ class Program:
     def __init__(self, source: Source, sketch: Sketch, tell: Tell) -> None:
         self.sketch = sketch
         values = live_values(sketch)
-        own = names_of(sketch)
+        own = names_of(sketch) | BUILT_IN
         self.names: Names = vars(builtins) | own
         self._begin(source)
         self._tell = tell
@@ -100,6 +102,7 @@ class Program:
         self.names["add_library"] = adder(self.names)
         if source.python == 2:
             self.names |= python_mode_names(family)
+        self._libraries = LibraryFinder()
         self._restore = ExitStack()
         self._kept = self._parts()
 
@@ -119,12 +122,15 @@ class Program:
         restore.callback(self.sketch.end_beside)
         restore.callback(self._finder.forget)
         restore.callback(sys.meta_path.remove, self._finder)
+        restore.callback(self._libraries.forget)
+        restore.callback(sys.meta_path.remove, self._libraries)
         restore.callback(running.leave, self._running)
         restore.enter_context(warnings.catch_warnings())
         warnings.simplefilter("default", SketchWarning)
         warnings.showwarning = self._show_warning
         running.enter(self._running)
         sys.meta_path.insert(0, self._finder)
+        sys.meta_path.append(self._libraries)
         sys.modules[MODULE] = self.module
         os.chdir(self.source.path.parent)
         self.sketch.take_over()
@@ -249,6 +255,15 @@ class Program:
         if may_set_key and "key" in self.namespace:
             self.sketch.set_key(self.namespace.pop("key"))
         self._tell_of_hidden_values()
+
+    def call_registered(self, name: str, *event: object) -> None:
+        """Call a method of all objects that are registered for it, with live values as they are."""
+        targets = self.sketch.registered.get(name)
+        if not targets:
+            return
+        self.publish()
+        for target in list(targets):
+            getattr(target, name)(*event)
 
     def publish(self) -> None:
         """Bring the live values up to date in what the sketch sees."""

@@ -62,7 +62,7 @@ class Loop:
     def begin(self) -> None:
         """Make the picture of frame 0: the file's own lines, then `settings()` and `setup()`."""
         self._canvas.begin_frame()
-        try:
+        with self._leaving():
             self.program.execute()
             self._progress.phase = Phase.SETTINGS
             self.program.call("settings")
@@ -70,8 +70,6 @@ class Loop:
             if self._restarts_chance:
                 self._sketch.restart_chance()
             self.program.call("setup")
-        except SystemExit as call:
-            self._leave(call)
         self._progress.phase = Phase.DRAW
         self._canvas.end_frame()
         self._raise_failures()
@@ -110,7 +108,7 @@ class Loop:
         calls = self._progress.due_calls
         if not (is_drawing or self._events or self._window_events or calls):
             return False
-        try:
+        with self._leaving():
             if not is_drawing:
                 self._handle_window()
             if is_drawing:
@@ -120,10 +118,13 @@ class Loop:
             while calls:
                 self.program.publish()
                 calls.pop(0)()
-        except SystemExit as call:
-            self._leave(call)
+            if is_drawing:
+                self.program.call_registered("draw")
         self._canvas.end_frame()
         self._raise_failures()
+        if is_drawing:
+            with self._leaving():
+                self.program.call_registered("post")
         return True
 
     def end(self) -> None:
@@ -131,6 +132,7 @@ class Loop:
         for name in LAST_CALLS:
             if not self.program.needs_arguments(name):  # else it is one of the sketch's own
                 self.program.call(name)
+        self.program.call_registered("dispose")
         self._sketch.write_files()
         self._sketch.remark_on_lost_files()
 
@@ -139,11 +141,15 @@ class Loop:
         if self._progress.failures:
             raise self._progress.failures.pop(0)
 
-    def _leave(self, call: SystemExit) -> None:
+    @contextmanager
+    def _leaving(self) -> Iterator[None]:
         """Do what `sys.exit()` asks for: as `exit()`, but at once, and perhaps with last words."""
-        self._progress.is_finished = True
-        if isinstance(call.code, str):
-            print(call.code, file=sys.stderr)
+        try:
+            yield
+        except SystemExit as call:
+            self._progress.is_finished = True
+            if isinstance(call.code, str):
+                print(call.code, file=sys.stderr)
 
     def _handle_window(self) -> None:
         while self._window_events:
@@ -155,6 +161,7 @@ class Loop:
         self._canvas.begin_frame(is_looping=self._progress.is_looping)
         self._handle_window()
         self._sketch.begin_ratio()
+        self.program.call_registered("pre")
         pointer.previous_x, pointer.previous_y = pointer.drawn_x, pointer.drawn_y
         self._sketch.go_on_beside()
         self.program.call("draw")

@@ -56,7 +56,8 @@ def test_paths_are_the_sketchs(tmp_path: Path) -> None:
     [
         ("spin-####.png", "spin-0007.png"),
         ("frames/##.tif", "frames/07.tif"),
-        ("#-#.png", "7-#.png"),
+        ("#-#.png", "007.png"),
+        ("take-#.png", "take-#.png"),
         ("still.png", "still.png"),
     ],
 )
