@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import io
 import os
+import shutil
 import threading
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,10 +38,17 @@ def write_file(path: Path, data: bytes) -> None:
     The data goes to a new file beside it first, which then takes its name: a reader never sees
     half of it, and what was there stays if the disk is full.
     """
+    copy_to_file(path, io.BytesIO(data))
+
+
+def copy_to_file(path: Path, source: BinaryIO) -> None:
+    """Write what an open file holds, from its beginning, as `write_file` does."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(f".{path.name}.{os.getpid()}-{threading.get_ident()}.part")
+    source.seek(0)
     try:
-        part.write_bytes(data)
+        with part.open("wb") as file:
+            shutil.copyfileobj(source, file)
         os.replace(part, path)
         note_written(path)
     except BaseException:

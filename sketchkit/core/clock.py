@@ -9,7 +9,7 @@ FRAMES_PER_SECOND = 60
 RENDER_DATE = datetime(2000, 1, 1, 12, 0, 0)  # named in the report of a render
 
 
-def milliseconds_of(frame: int) -> int:
+def milliseconds_of(frame: int, frames_per_second: float = FRAMES_PER_SECOND) -> int:
     """Return what `millis()` is in a frame of a virtual clock, rounded as measured.
 
     Examples
@@ -17,7 +17,7 @@ def milliseconds_of(frame: int) -> int:
     >>> [milliseconds_of(frame) for frame in (0, 1, 2, 3)]
     [0, 0, 17, 33]
     """
-    return round(max(frame - 1, 0) * 1000 / FRAMES_PER_SECOND)
+    return round(max(frame - 1, 0) * 1000 / frames_per_second)
 
 
 class Clock(Protocol):
@@ -37,21 +37,23 @@ class Clock(Protocol):
 
 
 class VirtualClock:
-    """A clock that stands still during a frame, and always steps a 60th of a second.
+    """A clock that stands still during a frame, and steps as far from each to the next.
 
-    Whoever counts the frames sets `frame`. Frame 1 is at 0 milliseconds, and so is `setup()`,
-    before it; frame 2 is at 17, frame 3 at 33 (rounded, as measured). Waiting takes no time, but
-    all that comes after it is later by so much. The date never moves.
+    Whoever counts the frames sets `frame`. A step is a 60th of a second: frame 1 is at 0
+    milliseconds, and so is `setup()`, before it; frame 2 is at 17, frame 3 at 33 (rounded, as
+    measured). For a film `frames_per_second` is the film's. Waiting takes no time, but all that
+    comes after it is later by so much. The date never moves.
     """
 
     def __init__(self, date: datetime = RENDER_DATE) -> None:
         self.frame = 0
+        self.frames_per_second: float = FRAMES_PER_SECOND
         self.date = date
         self._waited_ms = 0.0
 
     def millis(self) -> int:
         """Return the milliseconds from frame 1 to this frame, with those that were waited."""
-        return milliseconds_of(self.frame) + round(self._waited_ms)
+        return milliseconds_of(self.frame, self.frames_per_second) + round(self._waited_ms)
 
     def wait(self, milliseconds: float) -> None:
         """Put the clock forward."""

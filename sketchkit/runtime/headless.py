@@ -11,7 +11,7 @@ from time import perf_counter
 from sketchkit.api.graphics import PGraphics
 from sketchkit.api.host import Host, NoWindow
 from sketchkit.api.sketch import Sketch
-from sketchkit.core.clock import Clock, VirtualClock
+from sketchkit.core.clock import FRAMES_PER_SECOND, Clock, VirtualClock
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
@@ -39,6 +39,8 @@ class Frame:
         What the renderer was given for it.
     elapsed_ms : float
         How long it took to draw and to read back.
+    rate : float
+        Frames in a second of the sketch's clock.
     repeats : int or None
         The number of the frame whose picture this is, if the sketch drew no more by then.
     """
@@ -48,6 +50,7 @@ class Frame:
     draw_calls: int
     vertices: int
     elapsed_ms: float
+    rate: float = FRAMES_PER_SECOND
     repeats: int | None = None
 
 
@@ -71,6 +74,8 @@ class Launch:
         Which Python it is written in. Without it, the end of its name tells.
     density : int
         Without a window: 1 or 2 pixels for each unit of the sketch, each way.
+    rate : float or None
+        Frames in a second of its clock; None: as many as it asks for by `frameRate()`.
     """
 
     path: Path
@@ -80,6 +85,7 @@ class Launch:
     replay: Replay = field(default_factory=Replay)
     python: int | None = None
     density: int = 1
+    rate: float | None = FRAMES_PER_SECOND
 
 
 def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator[Frame]:
@@ -103,7 +109,8 @@ def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator
     clock = VirtualClock()
     with opened(launch, renderer, clock) as loop:
         seed_everything(launch.seed)
-        yield from _frames(Steps(loop, clock, launch.replay), renderer, sorted(set(numbers)))
+        steps = Steps(loop, clock, launch.replay, launch.rate)
+        yield from _frames(steps, renderer, sorted(set(numbers)))
 
 
 @contextmanager
@@ -138,15 +145,30 @@ class Steps:
     Attributes
     ----------
     loop : Loop
+    rate : float
+        Frames in a second of the clock; 0 before `begin()`, if the sketch is to say it.
     frame : int
         The one that was drawn last. After `noLoop()` it goes on as long as events are to come.
     """
 
-    def __init__(self, loop: Loop, clock: VirtualClock, replay: Replay) -> None:
+    def __init__(
+        self,
+        loop: Loop,
+        clock: VirtualClock,
+        replay: Replay,
+        rate: float | None = FRAMES_PER_SECOND,
+    ) -> None:
         self.loop = loop
+        self.rate = rate or 0.0
         self.frame = 0
         self._clock = clock
         self._replay = replay
+
+    def begin(self) -> None:
+        """Make the picture of frame 0; only then is known how fast the sketch wants to be."""
+        self.loop.begin()
+        self.rate = self.rate or self.loop.program.sketch.progress.wanted_rate
+        self._clock.frames_per_second = self.rate
 
     @property
     def can_go_on(self) -> bool:
@@ -167,7 +189,7 @@ class Steps:
 def _frames(steps: Steps, renderer: Renderer, numbers: Sequence[int]) -> Iterator[Frame]:
     loop = steps.loop
     canvas = loop.program.sketch.canvas
-    elapsed_s = _timed(loop.begin, renderer)
+    elapsed_s = _timed(steps.begin, renderer)
     for number in numbers:
         while steps.frame < number and steps.can_go_on:
             elapsed_s = _timed(steps.step, renderer)
@@ -179,6 +201,7 @@ def _frames(steps: Steps, renderer: Renderer, numbers: Sequence[int]) -> Iterato
             renderer.stats.draw_calls,
             renderer.stats.vertices,
             round((elapsed_s + perf_counter() - reading) * 1000, 3),
+            steps.rate,
             steps.frame if steps.frame < number else None,
         )
     loop.end()

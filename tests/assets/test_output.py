@@ -1,3 +1,4 @@
+import shutil
 from pathlib import Path
 
 import pytest
@@ -21,12 +22,11 @@ def test_nothing_else_is_left(tmp_path: Path) -> None:
 def test_old_file_stays_if_the_new_one_cannot_be_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def full(path: Path, data: bytes) -> int:
-        path.touch()
+    def full(source: object, file: object) -> None:
         raise OSError("disk full")
 
     write_file(tmp_path / "b.txt", b"old")
-    monkeypatch.setattr(Path, "write_bytes", full)
+    monkeypatch.setattr(shutil, "copyfileobj", full)
 
     with pytest.raises(OSError, match="disk full"):
         write_file(tmp_path / "b.txt", b"new")

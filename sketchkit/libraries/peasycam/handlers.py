@@ -13,6 +13,7 @@ class PeasyDragHandler:
 
     Examples
     --------
+    >>> from peasycam import PeasyDragHandler
     >>> size(100, 100, P3D)
     >>> class Lift(PeasyDragHandler):
     ...     def handleDrag(self, dx, dy):
@@ -31,6 +32,7 @@ class PeasyWheelHandler:
 
     Examples
     --------
+    >>> from peasycam import PeasyWheelHandler
     >>> size(100, 100, P3D)
     >>> class Turn(PeasyWheelHandler):
     ...     def handleWheel(self, delta):
