@@ -70,7 +70,7 @@ RULES = {
         ("numpy", "PIL", "scipy"),
         late=("jinja2", "markupsafe", "distributed"),
     ),
-    "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL")),
+    "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL"), late=("rich",)),
     "stubs": Rule(EVERYTHING),
     "__init__": Rule(EVERYTHING),
     "__main__": Rule(("cli",)),
