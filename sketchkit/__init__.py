@@ -5,14 +5,24 @@ it, `from sketchkit import *` in the same file is the same.
 """
 
 import sys
+from importlib import import_module
 
 from sketchkit.core import running
 
 __version__ = "0.1.0"
 
+# What is here for programs and notebooks, loaded when it is asked for: sketches start without it.
+FOR_PROGRAMS = {
+    "render": "sketchkit.notebooks.rendering",
+    "load_ipython_extension": "sketchkit.notebooks.magic",
+}
+
 
 def __getattr__(name: str) -> object:
     """Return a name of the sketch that is running, `sketchkit.rect` as well as `import *`."""
+    if name in FOR_PROGRAMS:
+        value: object = getattr(import_module(FOR_PROGRAMS[name]), name)
+        return value
     sketch = running.current()
     if sketch is None:
         if name == "__all__" and _importer() == "__main__":

@@ -1,4 +1,4 @@
-"""The examples in the docstrings of `api/` and `libraries/` run as sketches do, with OpenGL and without a window.
+"""The examples in the docstrings of `api/` and `libraries/` run as sketches do, without a window.
 
 Where one shows what is printed, that is compared. A remark of sketchkit's is a failure as well:
 what the documentation shows gives none.

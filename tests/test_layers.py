@@ -71,6 +71,7 @@ RULES = {
         late=("jinja2", "markupsafe", "distributed"),
     ),
     "cli": Rule((*EVERYTHING, "__init__"), ("click", "rich", "PIL"), late=("rich",)),
+    "notebooks": Rule(EVERYTHING, ("numpy", "PIL"), late=("PIL",)),
     "stubs": Rule(EVERYTHING),
     "__init__": Rule(EVERYTHING),
     "__main__": Rule(("cli",)),

@@ -25,6 +25,7 @@ from sketchkit.api.stacks import Stacks
 from sketchkit.api.text import Text
 from sketchkit.api.textures import Textures
 from sketchkit.api.view import Views
+from sketchkit.assets.output import picture_bytes
 from sketchkit.core.constants import ARGB, FX2D, JAVA2D, P3D
 from sketchkit.draw.commands import Settling
 from sketchkit.draw.recorder import Kind
@@ -201,6 +202,10 @@ class PGraphics(
         >>> pg.save("disc.png")
         """
         PImage._of(self.image_data(), ARGB).save(filename)
+
+    def _repr_png_(self) -> bytes:
+        """Return the picture, as Jupyter asks for it."""
+        return picture_bytes(self.image_data()[..., : 4 if self._is_offscreen else 3], ".png")
 
     def when_drawn(self, call: Callable[[], None]) -> None:
         """Have `call` called at each `endDraw()`."""

@@ -283,6 +283,10 @@ class PImage(PixelAccess, PixelEffects):
         data = self._as_seen()
         return picture_bytes(data[..., :3].copy() if self.format == c.RGB else data, suffix)
 
+    def _repr_png_(self) -> bytes:
+        """Return the picture, as Jupyter asks for it."""
+        return self._file_bytes(".png")
+
     def __repr__(self) -> str:
         return f"<PImage {self.width} x {self.height}>"
 

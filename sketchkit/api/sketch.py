@@ -26,6 +26,7 @@ from sketchkit.api.requests import Requests
 from sketchkit.api.window_ratio import WindowRatio
 from sketchkit.api.windows import Windows
 from sketchkit.assets.network import allow_network
+from sketchkit.assets.output import picture_bytes
 from sketchkit.assets.paths import set_sketch_folder
 from sketchkit.core.clock import Clock, VirtualClock
 from sketchkit.core.constants import FX2D, JAVA2D
@@ -130,6 +131,10 @@ class Sketch(
         allow_network(not isinstance(self._clock, VirtualClock))
         use_random(self._random)
         set_sketch_folder(self.folder)
+
+    def _repr_png_(self) -> bytes:
+        """Return the picture, as Jupyter asks for it."""
+        return picture_bytes(self.canvas.image_data()[..., :3], ".png")
 
     if not TYPE_CHECKING:  # a checker must still find misspelt attributes
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
+from typing import TypeAlias
 
 from sketchkit.api.graphics import PGraphics
 from sketchkit.api.host import Host, NoWindow
@@ -88,7 +89,12 @@ class Launch:
     rate: float | None = FRAMES_PER_SECOND
 
 
-def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator[Frame]:
+Opener: TypeAlias = Callable[[Launch, Renderer, Clock], AbstractContextManager[Loop]]
+
+
+def render(
+    launch: Launch, numbers: Sequence[int], backend: Backend, opener: Opener | None = None
+) -> Iterator[Frame]:
     """Yield the pictures of some frames of a sketch, in rising order.
 
     Parameters
@@ -99,6 +105,8 @@ def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator
         Values of frameCount; 0 is the picture after `setup()`.
     backend : Backend
         What draws.
+    opener : callable, optional
+        Makes the sketch ready to begin, if it is no file: see `started`.
 
     Raises
     ------
@@ -107,7 +115,7 @@ def render(launch: Launch, numbers: Sequence[int], backend: Backend) -> Iterator
     """
     renderer = Renderer(backend)
     clock = VirtualClock()
-    with opened(launch, renderer, clock) as loop:
+    with (opener or opened)(launch, renderer, clock) as loop:
         seed_everything(launch.seed)
         steps = Steps(loop, clock, launch.replay, launch.rate)
         yield from _frames(steps, renderer, sorted(set(numbers)))
@@ -126,16 +134,44 @@ def opened(
     """
     with reporting(launch.path):
         source = Source.read(launch.path, launch.python)
+
+    def make(sketch: Sketch, tell: Tell) -> Program:
+        return Program(source, sketch, tell)
+
+    with started(make, launch, renderer, clock, host) as loop:
+        yield loop
+
+
+@contextmanager
+def started(
+    make: Callable[[Sketch, Tell], Program],
+    launch: Launch,
+    renderer: Renderer,
+    clock: Clock,
+    host: Host | None = None,
+) -> Iterator[Loop]:
+    """Make a program ready to begin; at the end of the block it is gone.
+
+    Parameters
+    ----------
+    make : callable
+        Makes the program, for a sketch that is new.
+
+    Raises
+    ------
+    StoppedError
+        If it stops by a mistake in the block.
+    """
     sketch = Sketch(
         PGraphics(renderer, Target(FIRST_SIZE, FIRST_SIZE)),
         clock=clock,
         host=host or NoWindow(launch.density),
-        folder=source.path.parent,
+        folder=launch.path.absolute().parent,
         args=launch.args,
         seed=launch.seed,
     )
-    program = Program(source, sketch, launch.tell)
-    with reporting(launch.path, program), program:
+    program = make(sketch, launch.tell)
+    with program, reporting(launch.path, program):  # as long as its names are there
         yield Loop(program, restarts_chance=isinstance(clock, VirtualClock))
 
 

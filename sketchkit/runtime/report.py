@@ -95,6 +95,10 @@ class StoppedError(Exception):
         super().__init__(str(report))
         self.report = report
 
+    def _render_traceback_(self) -> list[str]:
+        """Return what IPython shows of it: the message, without ways through sketchkit."""
+        return str(self).splitlines()
+
 
 @contextmanager
 def reporting(path: Path, program: Program | None = None) -> Iterator[None]:

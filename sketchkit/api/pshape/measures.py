@@ -182,6 +182,11 @@ class ShapeMeasures(ShapeInBulk):
         document = self._document()
         if document is not None and self._canvas._stage.is_java2d:
             return *document, 0.0
+        low, high = self._bounds()
+        return high[0] - low[0], high[1] - low[1], high[2] - low[2]
+
+    def _bounds(self) -> tuple[list[float], list[float]]:
+        """Return the least and the greatest x, y and z of all vertices; 0 if there are none."""
         boxes = []
         for part, matrix in self._tree_parts():
             block = part.mesh.blocks[part.layer]
@@ -189,9 +194,8 @@ class ShapeMeasures(ShapeInBulk):
             places = block.positions[used]
             boxes += [edge(placed(places, matrix), axis=0) for edge in (np.min, np.max)]
         if not boxes:
-            return 0.0, 0.0, 0.0
-        width, height, depth = (np.max(boxes, axis=0) - np.min(boxes, axis=0)).tolist()
-        return width, height, depth
+            return [0.0] * 3, [0.0] * 3
+        return np.min(boxes, axis=0).tolist(), np.max(boxes, axis=0).tolist()
 
     def _document(self) -> tuple[float, float] | None:
         """Return the size that the file names of which the shape is a part."""

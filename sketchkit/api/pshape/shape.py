@@ -14,9 +14,9 @@ from sketchkit.api.materials import Materials
 from sketchkit.api.paint import check_choice
 from sketchkit.api.pshape.attribs import ShapeAttribs
 from sketchkit.api.pshape.codes import ShapeCodes
+from sketchkit.api.pshape.display import ShapeDisplay
 from sketchkit.api.pshape.kinds import ShapeKinds
 from sketchkit.api.pshape.looks import ShapeLooks
-from sketchkit.api.pshape.measures import ShapeMeasures
 from sketchkit.api.pshape.parts import Family
 from sketchkit.api.pshape.transforms import ShapeTransforms
 from sketchkit.api.pshape.tree import ShapeTree
@@ -43,7 +43,7 @@ class PShape(
     ShapeLooks,
     ShapeVertices,
     ShapeCodes,
-    ShapeMeasures,
+    ShapeDisplay,
     ShapeAttribs,
     Color,
     Materials,

@@ -1,4 +1,5 @@
 import builtins
+import importlib.util
 import os
 import sys
 from fractions import Fraction
@@ -10,6 +11,8 @@ import pytest
 from sketchkit.assets.movies.encoder import MovieError
 from sketchkit.assets.movies.movie import Movie, is_movie
 from tests.assets.movies.films import filmed, flat, pictures, shaded
+
+needs_av = pytest.mark.skipif(importlib.util.find_spec("av") is None, reason="PyAV is not here")
 
 
 def decoded(path: Path) -> list[np.ndarray]:
@@ -106,6 +109,7 @@ def test_gif_of_60_frames_a_second_leaves_frames_out_and_says_so(tmp_path: Path)
     assert "at most 50 frames a second: 5 of 30" in str(remark)
 
 
+@needs_av
 @pytest.mark.parametrize("size", [(64, 48), (61, 41)], ids=["even", "odd"])
 def test_mp4_comes_back_nearly_as_it_was(tmp_path: Path, size: tuple[int, int]) -> None:
     frames = [shaded(number, size) for number in range(12)]
@@ -119,6 +123,7 @@ def test_mp4_comes_back_nearly_as_it_was(tmp_path: Path, size: tuple[int, int]) 
         assert np.abs(frame.astype(int) - seen[: size[1], : size[0]]).mean() < 5
 
 
+@needs_av
 def test_mp4_keeps_pure_colours(tmp_path: Path) -> None:
     colours = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255), (0, 0, 0), (128, 64, 32)]
     frames = [np.full((32, 32, 3), colour, np.uint8) for colour in colours]
@@ -129,6 +134,7 @@ def test_mp4_keeps_pure_colours(tmp_path: Path) -> None:
         assert np.abs(frame.astype(int) - seen).max() <= 4
 
 
+@needs_av
 def test_mp4_is_what_every_player_takes(tmp_path: Path) -> None:
     import av
 
@@ -151,7 +157,7 @@ def test_frames_of_another_size_are_fitted(tmp_path: Path) -> None:
     assert not second[5:].any()
 
 
-@pytest.mark.parametrize("ending", ["mp4", "gif", "webp", "png"])
+@pytest.mark.parametrize("ending", [pytest.param("mp4", marks=needs_av), "gif", "webp", "png"])
 def test_unfinished_film_leaves_nothing(tmp_path: Path, ending: str) -> None:
     movie = Movie(tmp_path / f"film.{ending}", 30)
     movie.add(flat(0))

@@ -1,0 +1,1 @@
+"""Sketches in notebooks and other programs: pictures instead of a window."""

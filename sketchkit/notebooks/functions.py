@@ -1,0 +1,116 @@
+"""Functions that are no file become a sketch: those of a notebook, or of another program.
+
+They were made where Processing's names are unknown, and a function keeps for ever where it looks
+for built-in names. So for the time of the run these names are put among Python's own, where
+functions, methods and lambdas of any origin find them; but only those that Python lacks. The few
+that it has too, such as `map`, would be in the way of all other code: they go into the namespaces
+of the functions themselves. Afterwards all is as before.
+"""
+
+from __future__ import annotations
+
+import builtins
+import inspect
+import linecache
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from types import FunctionType, TracebackType
+
+from sketchkit.api.names import names_of
+from sketchkit.api.sketch import Sketch
+from sketchkit.core import running
+from sketchkit.libraries.built_in import BUILT_IN
+from sketchkit.runtime.loader import FLAGS, Names, Program, Tell
+from sketchkit.runtime.source import Source
+
+CELL = "notebook"  # what a mistake's place is called, if it is in no file
+
+
+class FunctionsProgram(Program):
+    """A sketch whose functions are there already.
+
+    Parameters
+    ----------
+    functions : mapping
+        By name: `setup`, `draw`, and what else there is in their namespace.
+    sketch, tell
+        As of `Program`.
+    """
+
+    def __init__(self, functions: Mapping[str, object], sketch: Sketch, tell: Tell) -> None:
+        super().__init__(Source(Path.cwd() / CELL, b""), sketch, tell)
+        self.namespace = dict(functions)
+        self._spaces = _namespaces(functions.values())
+        self._own = names_of(sketch) | BUILT_IN
+        self.names = vars(builtins)
+        lasting = list(self._running.lasting)
+        self._running = running.Running(vars(builtins) | self._own, lasting)
+        self.sources = {name: _source(name) for name in _filenames(functions.values())}
+        for name in FLAGS:
+            handler = self.namespace.pop(name, None)
+            if isinstance(handler, FunctionType):
+                sketch.handlers[name] = handler
+        sketch.attach(self.namespace, self.publish)
+
+    def execute(self) -> None:
+        """Do nothing: the functions are there."""
+
+    def publish(self) -> None:
+        """Bring the live values up to date."""
+        super().publish()
+        self._running.names = vars(builtins) | self._own
+
+    def __enter__(self) -> Program:
+        """Let the functions see the names of a sketch."""
+        shared = self._own.keys() & vars(builtins).keys()
+        alone = {name: value for name, value in self._own.items() if name not in shared}
+        self._put_into(vars(builtins), alone)
+        for space in self._spaces:
+            self._put_into(space, {n: self._own[n] for n in shared if n not in space})
+            self._take_out(space, [name for name in FLAGS if name in space])
+        return super().__enter__()
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        """Put back what was changed."""
+        super().__exit__(kind, error, traceback)
+
+    def _put_into(self, space: Names, names: Names) -> None:
+        space.update(names)
+        for name in names:
+            self._restore.callback(space.pop, name, None)
+
+    def _take_out(self, space: Names, names: Iterable[str]) -> None:
+        for name in names:
+            self._restore.callback(space.__setitem__, name, space.pop(name))
+
+
+def _functions(values: Iterable[object]) -> Iterator[FunctionType]:
+    """Yield functions, and the methods of classes among the values."""
+    for value in values:
+        if isinstance(value, type):
+            yield from (each for each in vars(value).values() if isinstance(each, FunctionType))
+        elif isinstance(
+            function := inspect.unwrap(value) if callable(value) else value, FunctionType
+        ):
+            yield function
+
+
+def _namespaces(values: Iterable[object]) -> list[Names]:
+    """Return where the functions have been defined; each place once."""
+    return list({id(each.__globals__): each.__globals__ for each in _functions(values)}.values())
+
+
+def _filenames(values: Iterable[object]) -> set[str]:
+    return {each.__code__.co_filename for each in _functions(values)}
+
+
+def _source(filename: str) -> Source:
+    """Return a file of functions as it is known to Python; notebooks' cells are in no file."""
+    path = Path(filename)
+    text = "".join(linecache.getlines(filename))
+    return Source(path if path.is_file() else path.with_name(CELL), text.encode())
