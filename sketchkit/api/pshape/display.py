@@ -1,4 +1,4 @@
-"""A shape displays itself in a notebook: drawn as large as fits, in the middle of a small canvas."""
+"""A shape displays itself in a notebook: as large as fits, in the middle of a small canvas."""
 
 from __future__ import annotations
 
