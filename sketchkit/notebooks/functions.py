@@ -14,12 +14,13 @@ import inspect
 import linecache
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from types import FunctionType, TracebackType
+from types import FunctionType
 
 from sketchkit.api.names import names_of
 from sketchkit.api.sketch import Sketch
 from sketchkit.core import running
 from sketchkit.libraries.built_in import BUILT_IN
+from sketchkit.runtime.adding import adder
 from sketchkit.runtime.loader import FLAGS, Names, Program, Tell
 from sketchkit.runtime.source import Source
 
@@ -41,7 +42,7 @@ class FunctionsProgram(Program):
         super().__init__(Source(Path.cwd() / CELL, b""), sketch, tell)
         self.namespace = dict(functions)
         self._spaces = _namespaces(functions.values())
-        self._own = names_of(sketch) | BUILT_IN
+        self._own = names_of(sketch) | BUILT_IN | {"add_library": adder(vars(builtins))}
         self.names = vars(builtins)
         lasting = list(self._running.lasting)
         self._running = running.Running(vars(builtins) | self._own, lasting)
@@ -64,29 +65,29 @@ class FunctionsProgram(Program):
         """Let the functions see the names of a sketch."""
         shared = self._own.keys() & vars(builtins).keys()
         alone = {name: value for name, value in self._own.items() if name not in shared}
-        self._put_into(vars(builtins), alone)
+        self._restore.callback(_keep_only, vars(builtins), set(vars(builtins)))
+        vars(builtins).update(alone)
         for space in self._spaces:
-            self._put_into(space, {n: self._own[n] for n in shared if n not in space})
+            self._restore.callback(_keep_own, space, shared - space.keys())
+            space.update({name: self._own[name] for name in shared - space.keys()})
             self._take_out(space, [name for name in FLAGS if name in space])
         return super().__enter__()
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        """Put back what was changed."""
-        super().__exit__(kind, error, traceback)
-
-    def _put_into(self, space: Names, names: Names) -> None:
-        space.update(names)
-        for name in names:
-            self._restore.callback(space.pop, name, None)
 
     def _take_out(self, space: Names, names: Iterable[str]) -> None:
         for name in names:
             self._restore.callback(space.__setitem__, name, space.pop(name))
+
+
+def _keep_only(space: Names, known: set[str]) -> None:
+    """Take out what has been added, by `add_library()` too."""
+    for name in space.keys() - known:
+        del space[name]
+
+
+def _keep_own(space: Names, lent: set[str]) -> None:
+    """Take out the names that were lent to a namespace."""
+    for name in lent:
+        space.pop(name, None)
 
 
 def _functions(values: Iterable[object]) -> Iterator[FunctionType]:

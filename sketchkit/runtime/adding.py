@@ -12,8 +12,7 @@ Names = dict[str, object]
 
 # Libraries for Processing that many know, and what one can do without them.
 INSTEAD = {
-    "peasycam": "camera() sets the view; mouseX and mouseY can turn it.",
-    "gifanimation": "sketchkit render writes the frames as pictures; saveFrame() does too.",
+    "gifanimation": "sketchkit render --out movie.gif writes a GIF; saveFrame() writes pictures.",
     "video": "Pictures can be loaded with loadImage().",
     "sound": "Python packages that play sounds can be imported.",
     "minim": "Python packages that play sounds can be imported.",

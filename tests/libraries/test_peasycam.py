@@ -300,6 +300,7 @@ def test_canvas_out_of_sight_has_its_camera_set(tmp_path: Path) -> None:
         "from peasycam import PeasyCam as Cam",
         "import peasy; Cam = peasy.PeasyCam",
         "Cam = PeasyCam",
+        "add_library('peasycam'); Cam = PeasyCam; CameraState",
     ],
 )
 def test_every_way_to_get_it_gives_the_same_class(tmp_path: Path, line: str) -> None:

@@ -155,6 +155,16 @@ def test_flags_are_values_though_functions_have_their_names() -> None:
     assert callable(namespace["keyPressed"])
 
 
+def test_added_library_is_gone_afterwards() -> None:
+    text = "def setup():\n    add_library('peasycam')\n    global kind\n    kind = CameraState"
+    namespace = cell(text)
+
+    render(namespace)
+
+    assert namespace["kind"].__name__ == "CameraState"
+    assert not hasattr(builtins, "CameraState")
+
+
 def test_own_variables_come_first() -> None:
     (picture,) = render(cell("red = 7\ndef draw(): background(red, 0, 0)"))
 
