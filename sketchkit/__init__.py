@@ -5,7 +5,6 @@ it, `from sketchkit import *` in the same file is the same.
 """
 
 import sys
-from importlib import import_module
 
 from sketchkit.core import running
 
@@ -21,6 +20,8 @@ FOR_PROGRAMS = {
 def __getattr__(name: str) -> object:
     """Return a name of the sketch that is running, `sketchkit.rect` as well as `import *`."""
     if name in FOR_PROGRAMS:
+        from importlib import import_module
+
         value: object = getattr(import_module(FOR_PROGRAMS[name]), name)
         return value
     sketch = running.current()
