@@ -47,7 +47,7 @@ def test_methods_are_called_in_processings_order(tmp_path: Path) -> None:
 
 
 def test_frames_that_are_not_drawn_call_only_event_methods(tmp_path: Path) -> None:
-    with begun(written(tmp_path, SKETCH + "\n    noLoop()\nnoLoop()")) as loop:
+    with begun(written(tmp_path, SKETCH + "noLoop()")) as loop:
         loop.step()
         told = loop.program.namespace["told"]
         told.clear()
