@@ -27,6 +27,7 @@ COMMANDS = {
     "api": Entry("sketchkit.cli.api", "Say how a name is used, and what there is of Processing."),
     "trace": Entry("sketchkit.cli.trace", "Print what a frame draws, as text."),
     "diff": Entry("sketchkit.cli.diff", "Say whether two pictures are alike, and why not."),
+    "inspect": Entry("sketchkit.cli.inspect", "Say which line of a sketch drew a pixel."),
 }
 
 EXTRAS = {"scipy": "grade"}  # packages that commands need, and what installs them

@@ -173,7 +173,7 @@ class Assembler:
     def _draw_list(self) -> DrawList:
         """Return commands, section by section, with the blocks that they refer to."""
         out = DrawList()
-        ordered = {}
+        ordered = out.orders
         for layer, collected in self.layers.items():
             if collected.keys:
                 indices, ordered[layer] = collected.in_order()

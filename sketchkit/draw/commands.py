@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from sketchkit.core.matrix import Affine
+from sketchkit.draw.layers import PieceOrder
 from sketchkit.draw.meshes import MeshPart
 from sketchkit.draw.pipeline import Clip, Pipeline
 from sketchkit.draw.resources import Target
@@ -83,7 +84,11 @@ Command = Clear | Settle | Draw | DrawMesh | Upload
 
 @dataclass(slots=True)
 class DrawList:
-    """Commands in order, and the vertices that they refer to."""
+    """Commands in order, and the vertices that they refer to.
+
+    `orders` says which row each triangle of a block was made from; no renderer reads it.
+    """
 
     commands: list[Command] = field(default_factory=list)
     blocks: dict[Layer, VertexBlock] = field(default_factory=dict)
+    orders: dict[Layer, PieceOrder] = field(default_factory=dict)

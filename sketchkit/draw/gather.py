@@ -83,6 +83,8 @@ class Gathering:
             joined.normals = np.zeros((whole.corners, 3), np.float32)
         for index, member in enumerate(members):
             self.renew(index, member)
+            first = self._starts[index].rows * ROW
+            joined.origins += [(first + end, call) for end, call in member.recorder.origins]
 
     def fits(self, index: int, recorder: Recorder) -> bool:
         """Return whether a shape still fills as much as when it was gathered."""

@@ -84,7 +84,7 @@ class LayerPieces:
                 every += part_textures or [None] * len(part_keys)
             textures = [every[i] for i in order]
         hides_back = np.concatenate(self.hides_back)[order]
-        return indices, PieceOrder(keys[order] >> 1, np.cumsum(sizes[order]), textures, hides_back)
+        return indices, PieceOrder(keys[order], np.cumsum(sizes[order]), textures, hides_back)
 
     def block(self, indices: U32) -> VertexBlock:
         """Return the vertices with indices put in order."""
@@ -119,12 +119,20 @@ class Run(NamedTuple):
 
 
 class PieceOrder:
-    """Pieces of a layer in drawing order: rows, ends of their indices, textures, hidden backs."""
+    """Pieces of a layer in drawing order: rows, ends of their indices, textures, hidden backs.
+
+    Attributes
+    ----------
+    keys : (n,) int64
+        Twice the row of each piece, and 1 more for an outline in the plane. Unlike `rows` they
+        stay with the triangles that depth has put in another order.
+    """
 
     def __init__(
-        self, rows: I64, ends: I64, textures: list[Texture | None] | None, hides_back: Bool
+        self, keys: I64, ends: I64, textures: list[Texture | None] | None, hides_back: Bool
     ) -> None:
-        self.rows = rows
+        self.keys = keys
+        self.rows = keys >> 1
         self.ends = ends
         self.textures = textures
         self.hides_back = hides_back
@@ -148,6 +156,11 @@ class PieceOrder:
             for a, b in pairwise(cuts)
         ]
 
+    def owner(self, triangle: int) -> tuple[int, bool]:
+        """Return the row of a triangle of the layer, and whether it belongs to an outline."""
+        key = int(self.keys[np.searchsorted(self.ends, 3 * triangle, side="right")])
+        return key >> 1, bool(key & 1)
+
     def sort(self, first: int, last: int, block: VertexBlock, stage: Stage) -> None:
         """Put the triangles of the rows first..last-1 in order of depth."""
         begin, end = (int(i) for i in np.searchsorted(self.rows, (first, last)))
@@ -159,16 +172,15 @@ class PieceOrder:
         x, y, z, w = project(stage.projection, *np.moveaxis(block.positions[triangles], 2, 0))
         order = depth_order(np.stack([x / w, y / w, -z / w], axis=2))
         block.indices[run] = triangles[order].ravel()
-        if self.textures is not None:
-            self._sort_textures(begin, end, start, order)
+        self._split(begin, end, start, order)
 
-    def _sort_textures(self, begin: int, end: int, start: int, order: I64) -> None:
-        """Follow sorted triangles with their textures: each triangle is a piece from now on."""
-        assert self.textures is not None
+    def _split(self, begin: int, end: int, start: int, order: I64) -> None:
+        """Follow sorted triangles: each is a piece from now on."""
         sizes = np.diff(self.ends[begin:end], prepend=start) // 3
         pieces = np.repeat(np.arange(begin, end), sizes)[order]
-        single = [self.textures[piece] for piece in pieces]
-        self.textures[begin:end] = single
+        if self.textures is not None:
+            self.textures[begin:end] = [self.textures[piece] for piece in pieces]
+        self.keys = np.concatenate([self.keys[:begin], self.keys[pieces], self.keys[end:]])
         rows = np.full(len(pieces), self.rows[begin])
         self.rows = np.concatenate([self.rows[:begin], rows, self.rows[end:]])
         nothing = np.zeros(len(pieces), np.bool_)  # what is sorted is translucent

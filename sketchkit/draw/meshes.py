@@ -16,6 +16,7 @@ from sketchkit.draw.resources import Texture
 from sketchkit.draw.vertex import Layer, VertexBlock
 
 if TYPE_CHECKING:
+    from sketchkit.draw.layers import PieceOrder
     from sketchkit.draw.recorder import Recorder
 
 NEAR = 64  # vertices: changes nearer together than this are sent as one
@@ -44,12 +45,15 @@ class Mesh:
         By what the weights of its outlines were multiplied.
     version : int
         Number of edits ever made.
+    orders : dict of Layer to PieceOrder
+        Which row of `source` each triangle was made from; no renderer reads it.
     """
 
     blocks: dict[Layer, VertexBlock]
     source: Recorder | None = None
     weight_scale: float = 1.0
     version: int = 0
+    orders: dict[Layer, PieceOrder] = field(default_factory=dict)
     _edits: list[Edit] = field(default_factory=list)
     _forgotten: int = 0
 

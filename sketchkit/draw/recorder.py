@@ -8,6 +8,7 @@ value that is no number is refused there.
 from __future__ import annotations
 
 import struct
+from bisect import bisect_right
 from collections.abc import Callable, Mapping
 from copy import copy
 from enum import Enum, IntEnum
@@ -174,6 +175,12 @@ class ShapeRun(NamedTuple):
     curves: tuple[CurveRun, ...] = ()
 
 
+def origin_of(origins: list[tuple[int, object]], row: int) -> object:
+    """Return which call recorded a row; None if nobody has noted it."""
+    at = bisect_right(origins, row * ROW, key=lambda entry: entry[0])
+    return origins[at][1] if at < len(origins) else None
+
+
 class Recorder:
     """What was called since the last flush.
 
@@ -196,6 +203,9 @@ class Recorder:
         Those of `parts`.
     normals : (n, 3) float32 or None
         Of all corners, instead of those of `attributes`: of what was given in bulk, or edited.
+    origins : list of (bytes, object)
+        Which call of the sketch recorded the rows up to there. It stays empty unless somebody
+        inspects the sketch (runtime/explore/noting.py), who says what a call is.
     """
 
     __slots__ = (
@@ -206,6 +216,7 @@ class Recorder:
         "meshes",
         "nestings",
         "normals",
+        "origins",
         "parts",
         "row_end",
         "rows",
@@ -218,6 +229,7 @@ class Recorder:
     )
 
     def __init__(self, capacity: int = 1024) -> None:
+        self.origins: list[tuple[int, object]] = []
         self.rows = bytearray(capacity * ROW)
         self.corners = bytearray(capacity * CORNER)
         self.uvs = bytearray(capacity * UV)
@@ -237,6 +249,8 @@ class Recorder:
         self.parts: list[MeshPart] = []
         self.meshes: set[Mesh] = set()
         self.normals: NDArray[np.float32] | None = None
+        if self.origins:
+            self.origins = []
 
     def part(self, first: int, last: int) -> Recorder:
         """Return a recorder with the rows first..last-1 alone, which refer to the same states."""

@@ -57,7 +57,7 @@ def retain(recorder: Recorder, weight_scale: float) -> list[MeshPart]:
         return []
     rows = Rows(recorder, weight_scale)
     commands = Assembler(rows).assemble(expand(rows))
-    mesh = Mesh(commands.blocks, recorder, weight_scale)
+    mesh = Mesh(commands.blocks, recorder, weight_scale, orders=commands.orders)
     return [
         MeshPart(mesh, draw.layer, draw.first, draw.count, draw.pipeline.texture)
         for draw in commands.commands

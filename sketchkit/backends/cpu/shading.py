@@ -8,18 +8,31 @@ over the screen is a value divided by w, and 1 / w.
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 
 from sketchkit.backends.cpu.frames import bounded
 from sketchkit.backends.cpu.lighting import unit_colors
-from sketchkit.backends.cpu.textures import Texture
 from sketchkit.backends.cpu.triangles import I64, Numbers, Planes, Triangles
 from sketchkit.backends.cpu.vertices import LIT
 from sketchkit.draw.pipeline import Pipeline
+from sketchkit.draw.resources import Wrap
 from sketchkit.draw.vertex import F32, U8
 
 OPAQUE = 255
+
+
+class Sampled(Protocol):
+    """What covers triangles: a texture, or what stands for one (see `Texture`)."""
+
+    @property
+    def is_opaque(self) -> bool: ...
+
+    @property
+    def size(self) -> tuple[int, int]: ...
+
+    def sample(self, uv: F32, texels_squared: F32, wrap: Wrap) -> U8: ...
 
 
 class Shading:
@@ -33,7 +46,7 @@ class Shading:
     """
 
     def __init__(
-        self, triangles: Triangles, pipeline: Pipeline, centre: float, texture: Texture | None
+        self, triangles: Triangles, pipeline: Pipeline, centre: float, texture: Sampled | None
     ) -> None:
         self.triangles = triangles
         self._centre = centre
@@ -45,6 +58,11 @@ class Shading:
         self.is_opaque = (quantize(self._corners[:, 3]) == OPAQUE).all(axis=0)
         if texture is not None:
             self.is_opaque &= texture.is_opaque
+
+    @property
+    def is_textured(self) -> bool:
+        """Whether something covers them."""
+        return self._texture is not None
 
     def colors(self, triangle: I64, column: I64, row: I64) -> U8:
         """Return the colours of triangles at pixels of the frame, (k, 4)."""
@@ -59,7 +77,12 @@ class Shading:
             colors *= unit_colors(self._texels(self._texture, triangle, column, row))
         return as_rows(quantize(colors))
 
-    def _texels(self, texture: Texture, triangle: I64, column: I64, row: I64) -> U8:
+    def uvs(self, triangle: I64, column: I64, row: I64) -> F32:
+        """Return the places on the texture that triangles show at pixels of the frame, (2, k)."""
+        x, y = column + self._centre, row + self._centre
+        return self._interpolate(self._uv_planes, triangle, x, y)
+
+    def _texels(self, texture: Sampled, triangle: I64, column: I64, row: I64) -> U8:
         """Return the colours of the texture, (4, k).
 
         How far the texture moves from one pixel to the next is looked up for blocks of 2x2 pixels

@@ -35,7 +35,7 @@ class Texture:
 
     def __init__(self, pixels: Pixels) -> None:
         self.version = pixels.version
-        self.is_opaque = bool((pixels.data[..., 3] == 255).all())
+        self.is_opaque: bool = bool((pixels.data[..., 3] == 255).all())
         levels = [np.ascontiguousarray(pixels.data)]
         while pixels.mipmaps and max(levels[-1].shape[:2]) > 1:
             levels.append(_halve(levels[-1]))

@@ -1,0 +1,215 @@
+"""Inspecting a sketch without a window: which line of it has drawn a pixel of a frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from sketchkit.core.clock import VirtualClock
+from sketchkit.draw.backend import Backend
+from sketchkit.draw.renderer import Renderer
+from sketchkit.draw.resources import Pixels, Target, Texture
+from sketchkit.runtime.explore.describe import Description, Surroundings, describe
+from sketchkit.runtime.explore.log import FrameLog
+from sketchkit.runtime.explore.noting import noting
+from sketchkit.runtime.explore.pixel import DEEPEST, History, Layer, history, texel
+from sketchkit.runtime.explore.telling import as_json, call_lines, color_text, detail_lines, part_in_words, why
+from sketchkit.runtime.headless import Launch, Steps, opened
+from sketchkit.runtime.loader import Program, seed_everything
+
+Place = tuple[int, int]
+
+
+class OutsideError(Exception):
+    """A pixel lies outside of the picture; the message is a sentence."""
+
+
+@dataclass
+class Inspection:
+    """What is to be said about a pixel.
+
+    Attributes
+    ----------
+    frame : int
+        The frame that is shown; less than what was asked for, if the sketch draws no more.
+    color : (r, g, b, a)
+        As the picture has it.
+    inner : Inspection or None
+        Of a pixel that shows another canvas: the pixel of that.
+    """
+
+    place: Place
+    size: tuple[int, int]
+    frame: int
+    color: tuple[int, int, int, int]
+    found: History
+    log: FrameLog
+    around: Surroundings
+    inner: Inspection | None = None
+
+    @property
+    def answer(self) -> Description | None:
+        """The call that has drawn the pixel."""
+        layer = self.found.answer
+        return None if layer is None else describe(self.log, layer, self.around)
+
+    def beneath(self) -> Iterator[tuple[Description, str]]:
+        """Yield all other layers, the uppermost first, and whether they show."""
+        for layer in reversed(self.found.layers):
+            if layer is not self.found.answer:
+                own = describe(self.log, layer, self.around)
+                yield own, why(self.log, layer, self.around)
+
+
+def inspect(
+    launch: Launch, frame: int, places: Sequence[Place], backend: Backend
+) -> list[Inspection]:
+    """Return what has drawn pixels of a frame.
+
+    Parameters
+    ----------
+    launch : Launch
+        The sketch.
+    frame : int
+        frameCount; 0 is the picture after `setup()`.
+    places : sequence of (x, y)
+        From the top left of the picture.
+    backend : Backend
+        What draws.
+
+    Raises
+    ------
+    StoppedError
+        If the sketch stops by a mistake before the frame is complete.
+    OutsideError
+        If the picture has no such pixel.
+    """
+    renderer = Renderer(backend)
+    clock = VirtualClock()
+    with opened(launch, renderer, clock) as loop:
+        seed_everything(launch.seed)
+        with noting(loop.program.names) as notes:
+            log = FrameLog(notes)
+            renderer.readers.append(log)
+            steps = Steps(loop, clock, launch.replay)
+            loop.begin()
+            while steps.frame < frame and steps.can_go_on:
+                log.begin_frame(steps.frame + 1)
+                steps.step()
+            renderer.flush()
+            renderer.readers.remove(log)
+        found = [look(loop.program, log, place, steps.frame) for place in places]
+        loop.end()
+    return found
+
+
+def look(program: Program, log: FrameLog, place: Place, frame: int) -> Inspection:
+    """Return what has drawn a pixel of the main canvas.
+
+    Raises
+    ------
+    OutsideError
+        If there is no such pixel.
+    """
+    canvas = program.sketch.canvas
+    width, height = canvas.width, canvas.height
+    if not (0 <= place[0] < width and 0 <= place[1] < height):
+        raise OutsideError(
+            f"The picture is {width} x {height}: there is no pixel {place[0]}, {place[1]}."
+        )
+    picture = canvas.image_data()
+    red, green, blue, alpha = picture[place[1], place[0]].tolist()
+    around = surroundings(program)
+    found = history(log, canvas.target, place)
+    inner = _inner(log, found.answer, around, frame)
+    color = red, green, blue, alpha
+    return Inspection(place, (width, height), frame, color, found, log, around, inner)
+
+
+def surroundings(program: Program) -> Surroundings:
+    """Return what has to be known of a sketch to describe what it has drawn."""
+    images: dict[Texture, str] = {}
+    for name, value in program.namespace.items():
+        texture = getattr(value, "_texture", None)
+        if callable(texture) and not isinstance(value, type):
+            own = texture()
+            if isinstance(own, Pixels | Target):
+                images[own] = name
+    canvas = program.sketch.canvas
+    camera = getattr(canvas, "_camera")  # noqa: B009 # the seam between sketch and canvas has none
+    return Surroundings(program.sources, canvas.target, camera, images)
+
+
+def _inner(
+    log: FrameLog, layer: Layer | None, around: Surroundings, frame: int, depth: int = 0
+) -> Inspection | None:
+    """Return what has drawn the pixel of another canvas that a layer shows."""
+    texture = layer.pipeline.texture if layer and layer.pipeline else None
+    if not isinstance(texture, Target) or layer is None or layer.uv is None or depth > DEEPEST:
+        return None
+    place = texel(texture, layer.uv)
+    found = history(log, texture, place, layer.moment)
+    if not found.layers:
+        return None
+    size = texture.width, texture.height
+    inner = _inner(log, found.answer, around, frame, depth + 1)
+    return Inspection(place, size, frame, found.color, found, log, around, inner)
+
+
+def report(inspection: Inspection, name: str) -> list[str]:
+    """Return what is said in the terminal.
+
+    Parameters
+    ----------
+    name : str
+        Of the sketch's file.
+    """
+    x, y = inspection.place
+    lines = [f"{name}, frame {inspection.frame}, pixel {x}, {y}: {color_text(inspection.color)}", ""]
+    return [*lines, *_body(inspection, "")]
+
+
+def _body(inspection: Inspection, margin: str) -> list[str]:
+    answer = inspection.answer
+    if answer is None:
+        return [margin + "Nothing was drawn here."]
+    head, *calls = call_lines(answer)
+    lines = [f"Drawn by {head}", *calls]
+    if answer.frame != inspection.frame:
+        lines.append(f"    in frame {answer.frame}, and nothing has covered it since")
+    lines += [f"    {line}" for line in detail_lines(answer)]
+    if inspection.inner is not None:
+        x, y = inspection.inner.place
+        width, height = inspection.inner.size
+        lines += ["", f"There it shows pixel {x}, {y} of a canvas of {width} x {height}."]
+        lines += _body(inspection.inner, "    ")
+    others = list(inspection.beneath())
+    if others:
+        lines += ["", "All else that was drawn here, the last first:"]
+    for number, (own, reason) in enumerate(others, 1):
+        frame = f" (frame {own.frame})" if own.frame != inspection.frame else ""
+        lines += [f"{number:>3}  {own.title}{frame}", f"     {part_in_words(own)}; {reason}"]
+    if not inspection.found.is_whole:
+        lines += ["", "What was drawn before that has not been kept."]
+    return [margin + line if line else "" for line in lines]
+
+
+def as_value(inspection: Inspection) -> dict[str, object]:
+    """Return an inspection as JSON has it."""
+    answer = inspection.answer
+    value: dict[str, object] = {
+        "frame": inspection.frame,
+        "pixel": list(inspection.place),
+        "size": list(inspection.size),
+        "color": list(inspection.color),
+        "drawn_by": None
+        if answer is None
+        else as_json(inspection.log, answer, inspection.around),
+        "others": [
+            as_json(inspection.log, own, inspection.around) for own, _ in inspection.beneath()
+        ],
+        "complete": inspection.found.is_whole,
+    }
+    if inspection.inner is not None:
+        value["inner"] = as_value(inspection.inner)
+    return value

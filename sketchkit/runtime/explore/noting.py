@@ -1,0 +1,93 @@
+"""Noting: which call of the sketch records each row, while somebody inspects it.
+
+The hot path is left as it is. As long as a block of `noting()` lasts, `Recorder.row_end` is a
+property instead of a slot: whoever sets it has recorded rows, and the stack says who that is.
+"""
+
+from __future__ import annotations
+
+import sys
+import weakref
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from types import CodeType, FrameType
+from typing import Any, NamedTuple
+
+from sketchkit.api.pixels import CanvasPixels
+from sketchkit.draw.recorder import Recorder
+from sketchkit.draw.resources import Target
+
+MOST_CALLS = 200  # of a recursion that goes deeper, the outermost calls are left out
+
+
+class Call(NamedTuple):
+    """A place in the sketch that was being run: its code, and how far it had come."""
+
+    code: CodeType
+    instruction: int
+
+
+Chain = tuple[Call, ...]  # innermost first; empty if no line of the sketch has called
+
+
+class Notes:
+    """What is noted besides the origins that recorders keep.
+
+    Attributes
+    ----------
+    pixel_setters : mapping of Target to Chain
+        Who has last set pixels of a canvas, by `set()`, `updatePixels()` and their like.
+    """
+
+    def __init__(self, names: Mapping[str, object]) -> None:
+        self._names = names
+        self._chains: dict[Chain, Chain] = {}
+        self.pixel_setters: weakref.WeakKeyDictionary[Target, Chain] = weakref.WeakKeyDictionary()
+
+    def chain(self) -> Chain:
+        """Return the calls of the sketch that are being carried out; equal ones are one object."""
+        calls = []
+        frame: FrameType | None = sys._getframe(1)
+        while frame is not None and len(calls) < MOST_CALLS:
+            if frame.f_builtins is self._names:
+                calls.append(Call(frame.f_code, frame.f_lasti))
+            frame = frame.f_back
+        found = tuple(calls)
+        return self._chains.setdefault(found, found)
+
+
+@contextmanager
+def noting(names: Mapping[str, object]) -> Iterator[Notes]:
+    """Note who records rows, in all recorders there are.
+
+    Parameters
+    ----------
+    names : mapping
+        What the sketch sees behind its own names (`Program.names`): its code is known by it.
+    """
+    notes = Notes(names)
+    # Any: a slot's descriptor and a method, taken from their classes and put back.
+    slot: Any = Recorder.__dict__["row_end"]
+    touch: Any = CanvasPixels.__dict__["_touch"]
+
+    def set_row_end(recorder: Recorder, end: int) -> None:
+        slot.__set__(recorder, end)
+        origins = getattr(recorder, "origins", None)  # a copy gets its attributes one by one
+        if origins is None or end <= (origins[-1][0] if origins else 0):
+            return
+        chain = notes.chain()
+        if origins and origins[-1][1] is chain:
+            origins.pop()
+        origins.append((end, chain))
+
+    def note_touch(canvas: CanvasPixels) -> None:
+        touch(canvas)
+        notes.pixel_setters[canvas._target] = notes.chain()
+
+    Recorder.row_end = property(slot.__get__, set_row_end)  # type: ignore[assignment, method-assign] # for the time of the block
+    CanvasPixels._touch = note_touch  # type: ignore[method-assign] # ditto
+    try:
+        yield notes
+    finally:
+        Recorder.row_end = slot
+        CanvasPixels._touch = touch  # type: ignore[method-assign] # put back
