@@ -155,7 +155,7 @@ class RetainedShapes(CanvasParts):
             self._pack_part((part, mat.multiply(around, matrix)))
         self._modelview = saved
         self._state = -1
-        if self._renderer.readers:  # they read what the shape was made from, before it is edited
+        if any(reader.reads_shapes for reader in self._renderer.readers):  # before it is edited
             self._renderer.flush()
 
     def shapeMode(self, mode: int) -> None:

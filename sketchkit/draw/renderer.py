@@ -5,7 +5,7 @@ from __future__ import annotations
 import weakref
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 from sketchkit.draw.assemble import Assembler
 from sketchkit.draw.backend import Backend
@@ -33,7 +33,16 @@ class RecordsRows(Protocol):
 
 
 class Reader(Protocol):
-    """Follows what is drawn, to make something else of it than pixels."""
+    """Follows what is drawn, to make something else of it than pixels.
+
+    Attributes
+    ----------
+    reads_shapes : bool
+        Whether it reads what retained shapes were made from: they are drawn at once then, before
+        the sketch can edit them.
+    """
+
+    reads_shapes: ClassVar[bool]
 
     def read_rows(self, rows: Rows) -> None:
         """Take what was recorded, before it becomes triangles; the rows must not be kept."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
@@ -17,6 +17,7 @@ from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
+from sketchkit.runtime.explore.lookout import Lookout
 from sketchkit.runtime.loader import Program, Tell, seed_everything
 from sketchkit.runtime.loop import Loop
 from sketchkit.runtime.replay import Replay
@@ -118,7 +119,11 @@ def render(
     with (opener or opened)(launch, renderer, clock) as loop:
         seed_everything(launch.seed)
         steps = Steps(loop, clock, launch.replay, launch.rate)
-        yield from _frames(steps, renderer, sorted(set(numbers)))
+        lookout = Lookout(loop.program, renderer)
+        for frame in _frames(steps, renderer, lookout, sorted(set(numbers))):
+            if remark := lookout.look(frame.pixels, steps.frame):
+                launch.tell(remark.path, remark.line, remark.text)
+            yield frame
 
 
 @contextmanager
@@ -222,13 +227,18 @@ class Steps:
         self.loop.step()
 
 
-def _frames(steps: Steps, renderer: Renderer, numbers: Sequence[int]) -> Iterator[Frame]:
+def _frames(
+    steps: Steps, renderer: Renderer, lookout: Lookout, numbers: Sequence[int]
+) -> Iterator[Frame]:
     loop = steps.loop
     canvas = loop.program.sketch.canvas
-    elapsed_s = _timed(steps.begin, renderer)
+    with lookout.watching(0):
+        elapsed_s = _timed(steps.begin, renderer)
     for number in numbers:
         while steps.frame < number and steps.can_go_on:
-            elapsed_s = _timed(steps.step, renderer)
+            is_wanted = steps.frame + 1 in (1, 2, number)
+            with lookout.watching(steps.frame + 1) if is_wanted else nullcontext():
+                elapsed_s = _timed(steps.step, renderer)
         reading = perf_counter()
         pixels = canvas.image_data()[:, :, :3]
         yield Frame(

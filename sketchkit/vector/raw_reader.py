@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable
+from typing import ClassVar
 
 from sketchkit.draw.commands import Clear, Command, Draw, DrawList, DrawMesh, Settle, Upload
 from sketchkit.draw.resources import Target
@@ -27,6 +28,8 @@ class RawReader:
     look : callable
         Returns what was drawn on a canvas so far, (h, w, 4).
     """
+
+    reads_shapes: ClassVar = True
 
     def __init__(self, target: Target, look: Callable[[Target], U8]) -> None:
         self._pages = CanvasPages(look)

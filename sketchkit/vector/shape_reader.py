@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import groupby
+from typing import ClassVar
 
 from sketchkit.draw.assemble import Assembler
 from sketchkit.draw.commands import Draw, DrawList, DrawMesh, Upload
@@ -43,6 +44,8 @@ class ShapeReader:
     look : callable
         Returns what was drawn on a canvas so far, (h, w, 4).
     """
+
+    reads_shapes: ClassVar = True
 
     def __init__(self, target: Target, look: Callable[[Target], U8]) -> None:
         self._pages = CanvasPages(look)

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
+from typing import ClassVar
 
 from sketchkit.draw.commands import Draw, DrawList, DrawMesh
 from sketchkit.draw.meshes import Mesh
@@ -28,6 +29,8 @@ class Tracer:
     mesh_kinds : mapping of Mesh to dict
         What retained geometry was made from.
     """
+
+    reads_shapes: ClassVar = False
 
     def __init__(self, mesh_kinds: Mapping[Mesh, dict[str, int]]) -> None:
         self._mesh_kinds = mesh_kinds

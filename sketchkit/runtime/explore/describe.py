@@ -15,13 +15,14 @@ from sketchkit.core.style import NO_COLOR, Material
 from sketchkit.draw.meshes import MeshPart
 from sketchkit.draw.pipeline import Blend, Clip
 from sketchkit.draw.recorder import ROW, Kind, ShapeRun, origin_of
-from sketchkit.draw.resources import Target, Texture
+from sketchkit.draw.resources import Pixels, Target, Texture
 from sketchkit.draw.stage import Stage
 from sketchkit.runtime.explore.calls import Site, Sources, shape_begin, sites
 from sketchkit.runtime.explore.log import FrameLog, Records, as_chain
 from sketchkit.runtime.explore.matrices import in_words, number, without_camera
 from sketchkit.runtime.explore.noting import Chain
 from sketchkit.runtime.explore.pixel import Layer, Part
+from sketchkit.runtime.loader import Program
 
 DEFAULT_FOV = pi / 3
 COVERS = (Kind.IMAGE, Kind.LETTER)  # whose tint is in the place of the stroke
@@ -49,6 +50,20 @@ class Surroundings:
     canvas: Target
     camera: Affine
     images: Mapping[Texture, str]
+
+
+def surroundings(program: Program) -> Surroundings:
+    """Return what has to be known of a sketch to describe what it has drawn."""
+    images: dict[Texture, str] = {}
+    for name, value in program.namespace.items():
+        texture = getattr(value, "_texture", None)
+        if callable(texture) and not isinstance(value, type):
+            own = texture()
+            if isinstance(own, Pixels | Target):
+                images[own] = name
+    canvas = program.sketch.canvas
+    camera = getattr(canvas, "_camera")  # noqa: B009 # the seam between sketch and canvas has none
+    return Surroundings(program.sources, canvas.target, camera, images)
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from sketchkit.core.clock import VirtualClock
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import Renderer
-from sketchkit.draw.resources import Pixels, Target, Texture
-from sketchkit.runtime.explore.describe import Description, Surroundings, describe
+from sketchkit.draw.resources import Target
+from sketchkit.runtime.explore.describe import Description, Surroundings, describe, surroundings
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.noting import noting
 from sketchkit.runtime.explore.pixel import DEEPEST, History, Layer, history, texel
@@ -124,20 +124,6 @@ def look(program: Program, log: FrameLog, place: Place, frame: int) -> Inspectio
     inner = _inner(log, found.answer, around, frame)
     color = red, green, blue, alpha
     return Inspection(place, (width, height), frame, color, found, log, around, inner)
-
-
-def surroundings(program: Program) -> Surroundings:
-    """Return what has to be known of a sketch to describe what it has drawn."""
-    images: dict[Texture, str] = {}
-    for name, value in program.namespace.items():
-        texture = getattr(value, "_texture", None)
-        if callable(texture) and not isinstance(value, type):
-            own = texture()
-            if isinstance(own, Pixels | Target):
-                images[own] = name
-    canvas = program.sketch.canvas
-    camera = getattr(canvas, "_camera")  # noqa: B009 # the seam between sketch and canvas has none
-    return Surroundings(program.sources, canvas.target, camera, images)
 
 
 def _inner(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import weakref
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple, TypeVar, cast
+from typing import ClassVar, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -132,6 +132,8 @@ class FrameLog:
     histories : mapping of Target to History
     """
 
+    reads_shapes: ClassVar = False
+
     def __init__(self, notes: Notes | None = None) -> None:
         self.frame = 0
         self.notes = notes
@@ -154,6 +156,11 @@ class FrameLog:
         self._drop_unused()
         while self._size > MOST_KEPT and len(self.steps) > 1:
             self._forget_oldest()
+
+    def skip_frames(self) -> None:
+        """Take that frames have been drawn in between: what is on the canvases is not known."""
+        for history in self.histories.values():
+            history.moments, history.is_whole = [], False
 
     def read_rows(self, rows: Rows) -> None:
         """Take what was recorded."""

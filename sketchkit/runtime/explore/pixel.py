@@ -68,6 +68,8 @@ class Layer:
     uv : (u, v) or None
         The place on the texture.
     pipeline : Pipeline or None
+    change : int
+        The most by which it has changed a channel of a sample when it was drawn.
     """
 
     moment: Moment
@@ -84,6 +86,7 @@ class Layer:
     clipped: int = 0
     uv: tuple[float, float] | None = None
     pipeline: Pipeline | None = None
+    change: int = 0
 
     @property
     def share(self) -> float:
@@ -314,7 +317,9 @@ def _mix(samples: _Samples, sample: int, layer: Layer, color: U8, mode: Blend) -
     before = samples.colors[sample].copy()
     after = blend(mode, color, before)
     samples.colors[sample] = after
-    is_same = bool((after[:3] == before[:3]).all())
+    change = int(np.abs(after[:3].astype(np.int64) - before[:3]).max())
+    layer.change = max(layer.change, change)
+    is_same = change == 0
     given, left = _proportions(mode, color, after, is_same=is_same)
     if not given:
         if color[3]:

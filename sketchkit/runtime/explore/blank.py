@@ -1,0 +1,111 @@
+"""Nothing drew: a picture of one colour, though shapes were drawn, and what the matter is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from sketchkit.draw.recorder import WHOLE
+from sketchkit.draw.vertex import U8
+from sketchkit.runtime.explore.calls import Site, sites
+from sketchkit.runtime.explore.describe import Surroundings
+from sketchkit.runtime.explore.log import FrameLog
+from sketchkit.runtime.explore.noting import Chain
+from sketchkit.runtime.explore.reasons import ALIKE, Case, Verdict, reason_of
+
+MOST_CALLS = 12  # that are looked at
+MOST_TOLD = 3
+
+
+@dataclass(frozen=True)
+class Remark:
+    """What to tell.
+
+    Attributes
+    ----------
+    path : Path
+        The file of the call that it is about.
+    line : int
+    text : str
+        In further, indented lines the reasons.
+    """
+
+    path: Path
+    line: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Unseen:
+    """A call that does not show.
+
+    Attributes
+    ----------
+    count : int
+        How many times it was called in this way.
+    """
+
+    chain: Chain
+    site: Site
+    count: int
+    reason: str
+
+
+def is_flat(pixels: U8) -> bool:
+    """Return whether a picture, (h, w, 3 or 4), looks like a single colour."""
+    first = pixels[0, 0, :3].astype(np.int16)
+    few = pixels[:: max(pixels.shape[0] // 8, 1), :: max(pixels.shape[1] // 8, 1), :3]
+    if np.abs(few.astype(np.int16) - first).max() > ALIKE:
+        return False
+    return bool((np.ptp(pixels[..., :3], axis=(0, 1)) <= ALIKE).all())
+
+
+def remark_on(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Remark | None:
+    """Return what to tell about a picture, or None: it has more colours, or is meant to be so.
+
+    Parameters
+    ----------
+    log : FrameLog
+        What was drawn in the frame, and in `setup()`.
+    pixels : (h, w, 3 or 4) uint8
+        The picture.
+    """
+    if not is_flat(pixels):
+        return None
+    unseen = _unseen(log, around, frame) or (_unseen(log, around, 0) if frame else [])
+    if not unseen:
+        return None
+    red, green, blue = (int(channel) for channel in pixels[0, 0, :3])
+    first, *others = unseen
+    again = f", nor do the {first.count - 1} others of this line" if first.count > 1 else ""
+    lines = [
+        f"{first.site.text} does not show{again}: "
+        f"the whole picture is one colour, {red}, {green}, {blue}.",
+        f"    {first.reason}",
+    ]
+    for other in others[: MOST_TOLD - 1]:
+        lines.append(f"    Nor does line {other.site.line}, {other.site.text}. {other.reason}")
+    if len(others) > MOST_TOLD - 1:
+        lines.append(f"    Nor do {len(others) - MOST_TOLD + 1} calls in other lines.")
+    path = Path(first.chain[0].code.co_filename)
+    return Remark(path, first.site.line, "\n".join(lines))
+
+
+def _unseen(log: FrameLog, around: Surroundings, frame: int) -> list[Unseen]:
+    """Return the calls of a frame that do not show; none if one is there that may well do."""
+    groups: dict[Chain, tuple[Case, int]] = {}
+    for serial, step in log.steps.items():
+        if step.frame != frame or step.records is None:
+            continue
+        for row in np.flatnonzero(~np.isin(step.records.table["kind"], WHOLE)).tolist():
+            chain = step.records.call(row)
+            case, count = groups.get(chain, (Case(log, around, serial, row), 0))
+            groups[chain] = case, count + 1
+    found = []
+    for chain, (case, count) in list(groups.items())[:MOST_CALLS]:
+        reason = reason_of(case)
+        if reason.verdict is Verdict.HIDDEN and chain:
+            found.append(Unseen(chain, sites(chain, around.sources)[0], count, reason.text))
+    return found
