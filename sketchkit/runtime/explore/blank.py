@@ -7,16 +7,17 @@ from pathlib import Path
 
 import numpy as np
 
-from sketchkit.draw.recorder import WHOLE
+from sketchkit.draw.recorder import WHOLE, Kind
 from sketchkit.draw.vertex import U8
 from sketchkit.runtime.explore.calls import Site, sites
-from sketchkit.runtime.explore.describe import Surroundings
+from sketchkit.runtime.explore.describe import Surroundings, chain_of
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.noting import Chain
 from sketchkit.runtime.explore.reasons import ALIKE, Case, Verdict, reason_of
 
 MOST_CALLS = 12  # that are looked at
 MOST_TOLD = 3
+MANY_ROWS = (Kind.LETTER, Kind.MESH)  # of a single call
 
 
 @dataclass(frozen=True)
@@ -74,12 +75,14 @@ def remark_on(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Re
     """
     if not is_flat(pixels):
         return None
-    unseen = _unseen(log, around, frame) or (_unseen(log, around, 0) if frame else [])
+    unseen = _unseen(_groups(log, around, frame) or _groups(log, around, 0), around)
     if not unseen:
         return None
     red, green, blue = (int(channel) for channel in pixels[0, 0, :3])
     first, *others = unseen
-    again = f", nor do the {first.count - 1} others of this line" if first.count > 1 else ""
+    again = {1: "", 2: ", nor does the other one of this line"}.get(
+        first.count, f", nor do the {first.count - 1} others of this line"
+    )
     lines = [
         f"{first.site.text} does not show{again}: "
         f"the whole picture is one colour, {red}, {green}, {blue}.",
@@ -93,19 +96,28 @@ def remark_on(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Re
     return Remark(path, first.site.line, "\n".join(lines))
 
 
-def _unseen(log: FrameLog, around: Surroundings, frame: int) -> list[Unseen]:
-    """Return the calls of a frame that do not show; none if one is there that may well do."""
+def _groups(log: FrameLog, around: Surroundings, frame: int) -> dict[Chain, tuple[Case, int]]:
+    """Return the calls of a frame that have drawn something: their first row, and how many."""
     groups: dict[Chain, tuple[Case, int]] = {}
     for serial, step in log.steps.items():
         if step.frame != frame or step.records is None:
             continue
-        for row in np.flatnonzero(~np.isin(step.records.table["kind"], WHOLE)).tolist():
+        kinds = step.records.table["kind"]
+        for row in np.flatnonzero(~np.isin(kinds, WHOLE)).tolist():
             chain = step.records.call(row)
             case, count = groups.get(chain, (Case(log, around, serial, row), 0))
-            groups[chain] = case, count + 1
-    found = []
+            is_another = not count or kinds[row] not in MANY_ROWS
+            groups[chain] = case, count + is_another
+    return groups
+
+
+def _unseen(groups: dict[Chain, tuple[Case, int]], around: Surroundings) -> list[Unseen]:
+    """Return the calls that do not show, without those that hide the others."""
+    found, culprits = [], set()
     for chain, (case, count) in list(groups.items())[:MOST_CALLS]:
         reason = reason_of(case)
         if reason.verdict is Verdict.HIDDEN and chain:
             found.append(Unseen(chain, sites(chain, around.sources)[0], count, reason.text))
-    return found
+            if reason.culprit is not None:
+                culprits.add(chain_of(case.log, reason.culprit))
+    return [unseen for unseen in found if unseen.chain not in culprits]

@@ -133,12 +133,20 @@ class Description:
         return f"{site.place}: {site.text}"
 
 
+def chain_of(log: FrameLog, layer: Layer) -> Chain:
+    """Return the calls of the sketch that have drawn a layer, innermost first."""
+    step = log.steps[layer.moment[0]]
+    if step.records is None or layer.row < 0:
+        return step.setter
+    return step.records.call(layer.row)
+
+
 def describe(log: FrameLog, layer: Layer, around: Surroundings) -> Description:
     """Return what a layer is."""
     step = log.steps[layer.moment[0]]
     records = step.records
     if records is None or layer.row < 0:
-        found = sites(step.setter, around.sources)
+        found = sites(chain_of(log, layer), around.sources)
         paint = Paint()
         return Description(layer, step.frame, found, [], None, (1, 1), "pixels", paint)
     chain = records.call(layer.row)

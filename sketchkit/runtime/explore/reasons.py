@@ -49,10 +49,13 @@ class Reason(NamedTuple):
     verdict : Verdict
     text : str
         Whole sentences, of what is HIDDEN.
+    culprit : Layer or None
+        What hides it.
     """
 
     verdict: Verdict
     text: str = ""
+    culprit: Layer | None = None
 
 
 SHOWN, UNSURE = Reason(Verdict.SHOWN), Reason(Verdict.UNSURE)
@@ -160,8 +163,8 @@ def _part(block: Block) -> Part:
     return {Block.FILLS: Part.FILL, Block.LINES: Part.STROKE, Block.POINTS: Part.POINT}[block]
 
 
-def _hidden(text: str) -> Reason:
-    return Reason(Verdict.HIDDEN, text)
+def _hidden(text: str, culprit: Layer | None = None) -> Reason:
+    return Reason(Verdict.HIDDEN, text, culprit)
 
 
 def _moves_vertices(piece: Piece) -> bool:
@@ -242,13 +245,14 @@ def _seen(case: Case, piece: Piece, reached: Reach) -> Reason:
         return UNSURE
     if any(layer.is_visible and layer.change > ALIKE for layer in found):
         return SHOWN
+    if 0 < (alpha := int(found[0].color[3])) <= 2 * ALIKE and piece.pipeline.shading is None:
+        return _hidden(f"It is all but transparent: the alpha of its colour is {alpha}, of 255.")
     if piece.pipeline.shading is not None and any(layer.is_visible for layer in found):
         return UNSURE  # its colours are the shader's
     layer = next((own for own in found if own.is_visible), found[0])
     if layer.is_visible:
         return _hidden(_same_color(case, piece, layer, reached))
-    text = _out_of_sight(case, layer)
-    return _hidden(text) if text else UNSURE
+    return _out_of_sight(case, layer)
 
 
 def _is_of(layer: Layer, piece: Piece) -> bool:
@@ -269,24 +273,32 @@ def _frame(number: int) -> str:
     return "setup()" if number == 0 else f"frame {number}"
 
 
-def _out_of_sight(case: Case, layer: Layer) -> str:
+def _out_of_sight(case: Case, layer: Layer) -> Reason:
     """Return what hides a layer."""
-    if layer.behind is not None:
-        return f"It is hidden behind {describe(case.log, layer.behind, case.around).title}."
+    if layer.behind is not None and layer.behind.row != layer.row:
+        title = describe(case.log, layer.behind, case.around).title
+        return _hidden(f"It is hidden behind {title}.", layer.behind)
     if layer.transparent:
-        return "What it shows is transparent: its alpha is 0."
+        texture = layer.pipeline.texture if layer.pipeline else None
+        name = case.around.images.get(texture, "its canvas") if isinstance(texture, Target) else ""
+        if name:
+            return _hidden(f"What it shows of {name} is transparent: nothing was drawn there.")
+        return _hidden("What it shows is transparent: its alpha is 0.")
     if layer.unchanging and layer.pipeline is not None:
         mode = layer.pipeline.blend.name
-        return f"blendMode({mode}) is in force, and with this colour it changes nothing."
-    if layer.beneath is not None:
-        title = describe(case.log, layer.beneath, case.around).title
-        return f"It is painted over by {title}."
-    return ""
+        return _hidden(f"blendMode({mode}) is in force: with this colour it changes nothing.")
+    over = layer.beneath
+    while over is not None and (over.moment[0], over.row) == (layer.moment[0], layer.row):
+        over = over.beneath  # its own outline
+    if over is None:
+        return UNSURE
+    title = describe(case.log, over, case.around).title
+    return _hidden(f"It is painted over by {title}.", over)
 
 
 def _same_color(case: Case, piece: Piece, layer: Layer, reached: Reach) -> str:
     """Return why what is drawn cannot be told from what is behind it."""
-    red, green, blue, alpha = layer.color.tolist()
+    red, green, blue, _ = layer.color.tolist()
     vertices = piece.block.indices[piece.drawn.first : piece.drawn.first + piece.drawn.size]
     given = int(piece.block.colors[vertices, :3].max(initial=0))
     if piece.pipeline.program in LIT and max(red, green, blue) <= ALIKE < given:
@@ -296,8 +308,6 @@ def _same_color(case: Case, piece: Piece, layer: Layer, reached: Reach) -> str:
             f"No light reaches what is seen of it, and so it is black: {about}. "
             "Write lights(), or ambientLight(100, 100, 100), before it."
         )
-    if alpha < 255 and alpha <= 2 * ALIKE:
-        return f"It is all but transparent: alpha {alpha} of 255."
     behind = _behind(case, piece, layer, reached)
     color = f"{red}, {green}, {blue}"
     return f"It has the same colour, {color}, as what is behind it{behind}."
@@ -317,10 +327,7 @@ def _obstacle(case: Case, piece: Piece, reached: Reach, surface: Target) -> str:
         case Obstacle.NO_NUMBER:
             return "One of its numbers is none (NaN) or infinite."
         case Obstacle.BEHIND:
-            return (
-                "It lies behind the camera, which looks along -z. "
-                "Give it a smaller z, or move the camera back."
-            )
+            return "It lies behind the camera: give it a smaller z, or move the camera back."
         case Obstacle.TOO_NEAR:
             near, _ = depth_range(piece.pipeline)
             return f"It is too near: the picture begins {near} in front of the camera."
@@ -359,7 +366,7 @@ def _beside(reached: Reach, surface: Target, *, is_window: bool) -> str:
         return f"{text}."
     first, last = reached.bounds[index], reached.bounds[index + 2]
     size = (surface.width, surface.height)[index]
-    shown = f"{number(first)} to {number(last)}" if last - first > 0.5 else number(first)
+    shown = f"{first:.0f} to {last:.0f}" if last - first >= 1 else f"{first:.0f}"
     return f"{text}: there its {axis} is {shown}, and {picture} goes from 0 to {size}."
 
 
@@ -367,8 +374,7 @@ def depth_range(pipeline: Pipeline) -> tuple[str, str]:
     """Return how far from the camera the picture begins and ends, as numbers to be shown."""
     p = pipeline.projection
     if p[12:] == (0.0, 0.0, 0.0, 1.0):
-        near, far = ((p[11] + side) / -p[10] * -1 for side in (1, -1)) if p[10] else (0.0, 0.0)
-        return number(-near if near else 0.0), number(-far if far else 0.0)
+        return number((p[11] + 1) / p[10]), number((p[11] - 1) / p[10])
     near, far = p[11] / (p[10] - 1), p[11] / (p[10] + 1)
     return number(near), number(far)
 

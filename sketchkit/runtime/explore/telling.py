@@ -34,6 +34,8 @@ def why(log: FrameLog, layer: Layer, around: Surroundings) -> str:
     if layer.behind is not None and layer.beneath is None:
         return f"hidden: behind {describe(log, layer.behind, around).title}"
     if layer.beneath is not None:
+        if (layer.beneath.moment[0], layer.beneath.row) == (layer.moment[0], layer.row):
+            return "hidden: painted over by its own outline"
         return f"hidden: painted over by {describe(log, layer.beneath, around).title}"
     if layer.transparent:
         return "invisible: its alpha is 0 here"
