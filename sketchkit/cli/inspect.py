@@ -20,22 +20,21 @@ from sketchkit.runtime.report import StoppedError
 WRONG_CALL = 2  # exit status
 
 
-class PixelType(click.ParamType):
-    """A place on the picture: `120,80`."""
+def pixel(text: str) -> tuple[int, int]:
+    """Return x and y of `120,80`.
 
-    name = "X,Y"
-
-    def convert(
-        self, value: object, param: click.Parameter | None, ctx: click.Context | None
-    ) -> tuple[int, int]:
-        """Return x and y."""
-        if isinstance(value, tuple):
-            return value
-        try:
-            x, y = (int(part) for part in str(value).split(","))
-        except ValueError:
-            self.fail(f"{value} is no pixel. Write x and y with a comma between: 120,80", param, ctx)
-        return x, y
+    Raises
+    ------
+    click.BadParameter
+        If that is no pixel.
+    """
+    try:
+        x, y = (int(part) for part in text.split(","))
+    except ValueError:
+        raise click.BadParameter(
+            f"{text} is no pixel. Write x and y with a comma between: 120,80"
+        ) from None
+    return x, y
 
 
 @click.command(name="inspect")
@@ -46,7 +45,8 @@ class PixelType(click.ParamType):
     "pixels",
     required=True,
     multiple=True,
-    type=PixelType(),
+    type=pixel,
+    metavar="X,Y",
     help="Counted from the top left of the picture. May be given more than once.",
 )
 @click.option("--seed", default=0, show_default=True, help="Where random() and noise() begin.")

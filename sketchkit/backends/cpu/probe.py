@@ -91,8 +91,9 @@ def probe(
             else _covered(near, clip, frame.grid, (column, row), turned=turned)
         )
         return [
-            _fragment(shading, own, (column, row), frame, kept.get(own, mask), own not in kept)
-            ._replace(triangle=int(numbers[own]))
+            _fragment(
+                shading, own, (column, row), frame, kept.get(own, mask), own not in kept
+            )._replace(triangle=int(numbers[own]))
             for own, mask in sorted(covered.items())
         ]
 
@@ -150,7 +151,7 @@ def _fragment(
     place: tuple[int, int],
     frame: Frame,
     is_covered: Mask,
-    is_clipped: bool,  # noqa: FBT001 # one of a fragment's own values
+    is_clipped: bool,
 ) -> Fragment:
     column, row = place
     own, x, y = np.array([triangle]), np.array([column]), np.array([row])

@@ -27,12 +27,18 @@ class Sampled(Protocol):
     """What covers triangles: a texture, or what stands for one (see `Texture`)."""
 
     @property
-    def is_opaque(self) -> bool: ...
+    def is_opaque(self) -> bool:
+        """Whether alpha is 255 everywhere."""
+        ...
 
     @property
-    def size(self) -> tuple[int, int]: ...
+    def size(self) -> tuple[int, int]:
+        """Columns and rows."""
+        ...
 
-    def sample(self, uv: F32, texels_squared: F32, wrap: Wrap) -> U8: ...
+    def sample(self, uv: F32, texels_squared: F32, wrap: Wrap) -> U8:
+        """Return colours, (4, k), at places, (2, k)."""
+        ...
 
 
 class Shading:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
@@ -13,7 +13,7 @@ from sketchkit.core.lights import Light, LightKind
 from sketchkit.core.matrix import IDENTITY, Affine, eye_distance, translate
 from sketchkit.core.style import NO_COLOR, Material
 from sketchkit.draw.meshes import MeshPart
-from sketchkit.draw.pipeline import Blend, Clip
+from sketchkit.draw.pipeline import Clip
 from sketchkit.draw.recorder import ROW, Kind, ShapeRun, origin_of
 from sketchkit.draw.resources import Pixels, Target, Texture
 from sketchkit.draw.stage import Stage
@@ -153,39 +153,45 @@ def describe(log: FrameLog, layer: Layer, around: Surroundings) -> Description:
     row = records.table[layer.row]
     kind, state = Kind(int(row["kind"])), int(row["state"])
     stage = records.stages[state]
-    shared = {
-        "layer": layer,
-        "frame": step.frame,
-        "sites": sites(chain, around.sources),
-        "which": _which(records, layer.row, chain),
-    }
+    found, which = sites(chain, around.sources), _which(records, layer.row, chain)
+    paint = Paint(fill=unpacked(int(row["fill"])))
+    plain = Description(layer, step.frame, found, [], None, which, kind.name.lower(), paint)
     if kind is Kind.CLEAR:
-        paint = Paint(fill=unpacked(int(row["fill"])))
-        return Description(
-            **shared, made=[], began=None, kind="background", paint=paint, clip=stage.clip
-        )
+        return replace(plain, kind="background", clip=stage.clip)
+    described = replace(_with_stage(plain, stage, around), paint=_paint_of(records, layer.row))
+    if kind is Kind.MESH:
+        part = records.parts[int(row["link"])]
+        made, own = _made(part, layer, around.sources), _inner_paint(part, layer)
+        described = replace(described, made=made, paint=own, kind="retained shape")
+    elif kind is Kind.SHAPE and chain:
+        described = replace(described, began=shape_begin(chain[0], around.sources))
     modelview = tuple(records.matrices[12 * state : 12 * state + 12])
-    part = records.parts[int(row["link"])] if kind is Kind.MESH else None
-    began = shape_begin(chain[0], around.sources) if kind is Kind.SHAPE and chain else None
-    return Description(
-        **shared,
-        made=_made(part, layer, around.sources),
-        began=began,
-        kind=kind.name.lower() if part is None else "retained shape",
-        paint=_paint(records.table, records.corners, layer.row, records.shapes)
-        if part is None
-        else _inner_paint(part, layer),
+    is_lit = stage.lights is not None and layer.part is Part.FILL
+    return replace(
+        described,
         modelview=modelview,
         doing=in_words(without_camera(modelview, _camera(stage, around))),
         nesting=records.nestings[state],
+        material=_material(records.styles[state].material) if is_lit else "",
+    )
+
+
+def _with_stage(plain: Description, stage: Stage, around: Surroundings) -> Description:
+    """Return a description with what a sketch sets for more than one shape."""
+    layer = plain.layer
+    return replace(
+        plain,
         blend=stage.blend.name,
         depth=_depth(stage),
         clip=stage.clip,
         lights=_lights(stage, layer),
-        material=_material(records.styles[state].material) if stage.lights is not None else "",
         texture=_texture(layer, around),
         shader=_shader(layer),
     )
+
+
+def _paint_of(records: Records, row: int) -> Paint:
+    return _paint(records.table, records.corners, row, records.shapes)
 
 
 def _which(records: Records, row: int, chain: Chain) -> tuple[int, int]:
@@ -323,8 +329,3 @@ def _texture(layer: Layer, around: Surroundings) -> str:
 def _shader(layer: Layer) -> str:
     shading = layer.pipeline.shading if layer.pipeline else None
     return shading.source.name if shading else ""
-
-
-def blend_in_words(name: str) -> str:
-    """Return a blend mode as a sketch writes it."""
-    return name or Blend.BLEND.name

@@ -13,7 +13,14 @@ from sketchkit.runtime.explore.describe import Description, Surroundings, descri
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.noting import noting
 from sketchkit.runtime.explore.pixel import DEEPEST, History, Layer, history, texel
-from sketchkit.runtime.explore.telling import as_json, call_lines, color_text, detail_lines, part_in_words, why
+from sketchkit.runtime.explore.telling import (
+    as_json,
+    call_lines,
+    color_text,
+    detail_lines,
+    part_in_words,
+    why,
+)
 from sketchkit.runtime.headless import Launch, Steps, opened
 from sketchkit.runtime.loader import Program, seed_everything
 
@@ -151,7 +158,10 @@ def report(inspection: Inspection, name: str) -> list[str]:
         Of the sketch's file.
     """
     x, y = inspection.place
-    lines = [f"{name}, frame {inspection.frame}, pixel {x}, {y}: {color_text(inspection.color)}", ""]
+    lines = [
+        f"{name}, frame {inspection.frame}, pixel {x}, {y}: {color_text(inspection.color)}",
+        "",
+    ]
     return [*lines, *_body(inspection, "")]
 
 
@@ -188,9 +198,7 @@ def as_value(inspection: Inspection) -> dict[str, object]:
         "pixel": list(inspection.place),
         "size": list(inspection.size),
         "color": list(inspection.color),
-        "drawn_by": None
-        if answer is None
-        else as_json(inspection.log, answer, inspection.around),
+        "drawn_by": None if answer is None else as_json(inspection.log, answer, inspection.around),
         "others": [
             as_json(inspection.log, own, inspection.around) for own, _ in inspection.beneath()
         ],

@@ -46,7 +46,7 @@ class Notes:
 
     def chain(self) -> Chain:
         """Return the calls of the sketch that are being carried out; equal ones are one object."""
-        calls = []
+        calls: list[Call] = []
         frame: FrameType | None = sys._getframe(1)
         while frame is not None and len(calls) < MOST_CALLS:
             if frame.f_builtins is self._names:
@@ -84,10 +84,11 @@ def noting(names: Mapping[str, object]) -> Iterator[Notes]:
         touch(canvas)
         notes.pixel_setters[canvas._target] = notes.chain()
 
-    Recorder.row_end = property(slot.__get__, set_row_end)  # type: ignore[assignment, method-assign] # for the time of the block
-    CanvasPixels._touch = note_touch  # type: ignore[method-assign] # ditto
+    # Through `type`: for the type checker, the classes stay what they are.
+    type.__setattr__(Recorder, "row_end", property(slot.__get__, set_row_end))
+    type.__setattr__(CanvasPixels, "_touch", note_touch)
     try:
         yield notes
     finally:
-        Recorder.row_end = slot
-        CanvasPixels._touch = touch  # type: ignore[method-assign] # put back
+        type.__setattr__(Recorder, "row_end", slot)
+        type.__setattr__(CanvasPixels, "_touch", touch)

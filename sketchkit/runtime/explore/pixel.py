@@ -232,7 +232,12 @@ def _paint(
             vertices = step.commands.blocks[block]
             for fragment in _fragments(log, moment, pipeline, (vertices, drawn), place, depth):
                 row, is_stroke = step.commands.orders[block].owner(fragment.triangle)
-                _add(samples, _layer(samples, moment, row, _part(block, is_stroke)), fragment, pipeline)
+                _add(
+                    samples,
+                    _layer(samples, moment, row, _part(block, is_stroke)),
+                    fragment,
+                    pipeline,
+                )
         case DrawMesh(pipeline, part, modelview):
             drawn = Range(part.first, part.count, modelview, part.weight_scale)
             vertices = part.mesh.blocks[part.layer]
@@ -245,7 +250,7 @@ def _paint(
                 _add(samples, layer, fragment, pipeline)
 
 
-def _part(block: Block, is_stroke: bool) -> Part:  # noqa: FBT001 # as the order of pieces has it
+def _part(block: Block, is_stroke: bool) -> Part:  # as the order of pieces has it
     if block is Block.FILLS:
         return Part.STROKE if is_stroke else Part.FILL
     return Part.STROKE if block is Block.LINES else Part.POINT

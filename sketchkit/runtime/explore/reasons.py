@@ -76,7 +76,8 @@ class Piece:
     def alphas(self) -> NDArray[np.uint8]:
         """The alphas of its vertices."""
         first = self.drawn.first
-        return self.block.colors[self.block.indices[first : first + self.drawn.size], 3]
+        used = self.block.indices[first : first + self.drawn.size]
+        return np.asarray(self.block.colors[used, 3])
 
 
 @dataclass(frozen=True)
@@ -146,7 +147,10 @@ def pieces_of(case: Case) -> Iterator[Piece]:
             )
         elif isinstance(command, Draw):
             order = step.commands.orders[command.layer]
-            for key, kind in ((2 * case.row, _part(command.layer)), (2 * case.row + 1, Part.STROKE)):
+            for key, kind in (
+                (2 * case.row, _part(command.layer)),
+                (2 * case.row + 1, Part.STROKE),
+            ):
                 at = np.flatnonzero(order.keys == key)
                 if not len(at):
                     continue
@@ -265,7 +269,11 @@ def _covered_later(case: Case, clear: Moment) -> str:
     layer = Layer(clear, step.rows[clear[1]], Part.BACKGROUND, blank, np.zeros(1))
     title = describe(case.log, layer, case.around).title
     own = case.log.steps[case.serial].frame
-    when = "" if step.frame == own else f", in {_frame(step.frame)}, after it was drawn in {_frame(own)}"
+    when = (
+        ""
+        if step.frame == own
+        else f", in {_frame(step.frame)}, after it was drawn in {_frame(own)}"
+    )
     return f"It is painted over by {title}{when}."
 
 
@@ -303,7 +311,9 @@ def _same_color(case: Case, piece: Piece, layer: Layer, reached: Reach) -> str:
     given = int(piece.block.colors[vertices, :3].max(initial=0))
     if piece.pipeline.program in LIT and max(red, green, blue) <= ALIKE < given:
         lights = "; ".join(light_in_words(light) for light in piece.pipeline.lights)
-        about = f"there is only {lights}" if lights else "lights are switched on, but there are none"
+        about = (
+            f"there is only {lights}" if lights else "lights are switched on, but there are none"
+        )
         return (
             f"No light reaches what is seen of it, and so it is black: {about}. "
             "Write lights(), or ambientLight(100, 100, 100), before it."
@@ -317,7 +327,10 @@ def _behind(case: Case, piece: Piece, layer: Layer, reached: Reach) -> str:
     """Return what is behind a layer, if that is a single call."""
     layers = history(case.log, piece.pipeline.target, reached.places[0]).layers
     before = [own for own in layers if own.moment < layer.moment or own.row < layer.row]
-    below = next((own for own in reversed(before) if own.part is not layer.part or own.row != layer.row), None)
+    below = next(
+        (own for own in reversed(before) if own.part is not layer.part or own.row != layer.row),
+        None,
+    )
     return "" if below is None else f": {describe(case.log, below, case.around).title}"
 
 

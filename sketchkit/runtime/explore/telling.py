@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketchkit.runtime.explore.describe import Color, Description, describe, Surroundings
+from sketchkit.runtime.explore.describe import Color, Description, Surroundings, describe
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.matrices import number, rows_of
 from sketchkit.runtime.explore.pixel import Layer, Part
@@ -106,7 +106,9 @@ def _surroundings(own: Description) -> list[tuple[str, str]]:
     """Return what is the same for fill and stroke."""
     entries = []
     if own.modelview is not None:
-        rows = "\n".join("  ".join(f"{number(v):>9}" for v in row) for row in rows_of(own.modelview))
+        rows = "\n".join(
+            "  ".join(f"{number(v):>9}" for v in row) for row in rows_of(own.modelview)
+        )
         depth = f", within {own.nesting} pushMatrix()" if own.nesting else ""
         entries.append(("matrix", f"{own.doing}{depth}\n{rows}"))
     if own.lights is not None:
@@ -138,7 +140,13 @@ def as_json(log: FrameLog, own: Description, around: Surroundings) -> dict[str, 
         "call": own.sites[0].text if own.sites else None,
         "function": own.sites[0].function if own.sites else None,
         "calls": [
-            {"file": s.file, "line": s.line, "function": s.function, "call": s.text, "times": s.times}
+            {
+                "file": s.file,
+                "line": s.line,
+                "function": s.function,
+                "call": s.text,
+                "times": s.times,
+            }
             for s in own.sites[1:]
         ],
         "frame": own.frame,
@@ -153,7 +161,11 @@ def as_json(log: FrameLog, own: Description, around: Surroundings) -> dict[str, 
         "color": layer.color.tolist(),
     }
     if own.made:
-        value["made"] = {"file": own.made[0].file, "line": own.made[0].line, "call": own.made[0].text}
+        value["made"] = {
+            "file": own.made[0].file,
+            "line": own.made[0].line,
+            "call": own.made[0].text,
+        }
     if own.modelview is not None:
         value |= {"modelview": rows_of(own.modelview), "matrix": own.doing, "nesting": own.nesting}
     if own.paint.tint is not None:
