@@ -19,6 +19,7 @@ from sketchkit.backends.cpu.shading import Sampled
 from sketchkit.backends.cpu.textures import Texture
 from sketchkit.core.matrix import IDENTITY
 from sketchkit.draw.commands import Clear, Draw, DrawMesh, Settle, Settling, Upload
+from sketchkit.draw.meshes import MeshPart
 from sketchkit.draw.pipeline import Blend, Pipeline
 from sketchkit.draw.resources import Pixels, Target, Wrap
 from sketchkit.draw.vertex import F32, U8, VertexBlock
@@ -209,18 +210,8 @@ def _paint(
     """Carry out one command on the pixel."""
     step = log.steps[moment[0]]
     match step.commands.commands[moment[1]]:
-        case Clear(target, color, resets_depth, clip):
-            layer = _layer(samples, moment, step.rows[moment[1]], Part.BACKGROUND)
-            layer.color = np.array(color, np.uint8)
-            surface = step.surfaces[target]
-            window = window_of(surface, clip)
-            row = place[1] if surface.top_row_first else surface.height - 1 - place[1]
-            if not (window.left <= place[0] < window.right and window.top <= row < window.bottom):
-                layer.clipped = layer.covered = len(samples.colors)
-                return
-            _replace_all(samples, layer)
-            if resets_depth:
-                _forget_depth(samples)
+        case Clear() as command:
+            _clear(samples, step, moment, command, place)
         case Settle(_, how):
             _settle(samples, how)
         case Upload(_, data, left, top):
@@ -232,22 +223,38 @@ def _paint(
             vertices = step.commands.blocks[block]
             for fragment in _fragments(log, moment, pipeline, (vertices, drawn), place, depth):
                 row, is_stroke = step.commands.orders[block].owner(fragment.triangle)
-                _add(
-                    samples,
-                    _layer(samples, moment, row, _part(block, is_stroke)),
-                    fragment,
-                    pipeline,
-                )
+                layer = _layer(samples, moment, row, _part(block, is_stroke))
+                _add(samples, layer, fragment, pipeline)
         case DrawMesh(pipeline, part, modelview):
             drawn = Range(part.first, part.count, modelview, part.weight_scale)
             vertices = part.mesh.blocks[part.layer]
             for fragment in _fragments(log, moment, pipeline, (vertices, drawn), place, depth):
-                inner, is_stroke = None, False
-                if order := part.mesh.orders.get(part.layer):
-                    inner, is_stroke = order.owner(fragment.triangle)
+                inner, is_stroke = _owner(part, fragment.triangle)
                 kind = _part(part.layer, is_stroke)
                 layer = _layer(samples, moment, step.rows[moment[1]], kind, inner)
                 _add(samples, layer, fragment, pipeline)
+
+
+def _owner(part: MeshPart, triangle: int) -> tuple[int | None, bool]:
+    """Return the row of a shape's own recorder that a triangle was made from."""
+    order = part.mesh.orders.get(part.layer)
+    return (None, False) if order is None else order.owner(triangle)
+
+
+def _clear(
+    samples: _Samples, step: Step, moment: Moment, command: Clear, place: tuple[int, int]
+) -> None:
+    layer = _layer(samples, moment, step.rows[moment[1]], Part.BACKGROUND)
+    layer.color = np.array(command.color, np.uint8)
+    surface = step.surfaces[command.target]
+    window = window_of(surface, command.clip)
+    row = place[1] if surface.top_row_first else surface.height - 1 - place[1]
+    if not (window.left <= place[0] < window.right and window.top <= row < window.bottom):
+        layer.clipped = layer.covered = len(samples.colors)
+        return
+    _replace_all(samples, layer)
+    if command.depth:
+        _forget_depth(samples)
 
 
 def _part(block: Block, is_stroke: bool) -> Part:  # as the order of pieces has it
@@ -365,7 +372,7 @@ def _replace_all(samples: _Samples, layer: Layer) -> None:
 
 
 def _upload(samples: _Samples, moment: Moment, color: U8) -> None:
-    """Take over a pixel that the sketch has set; all others of the canvas come along as they are."""
+    """Take over a pixel that the sketch has set; the others of the canvas come as they are."""
     mean = np.rint(samples.colors.astype(np.float64).mean(axis=0)).astype(np.int64)
     if np.abs(mean - color.astype(np.int64)).max() <= 1 and samples.layers:
         samples.colors[:] = color

@@ -135,7 +135,6 @@ def pieces_of(case: Case) -> Iterator[Piece]:
         moment = case.serial, index
         if isinstance(command, DrawMesh) and step.rows[index] == case.row:
             part = command.part
-            surface = step.surfaces[command.pipeline.target]
             drawn = Range(part.first, part.count, command.modelview, part.weight_scale)
             yield Piece(
                 moment,
