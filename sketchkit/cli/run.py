@@ -11,6 +11,8 @@ from sketchkit.assets.output import write_file
 from sketchkit.cli import say
 from sketchkit.cli.python_mode import python_mode
 from sketchkit.cli.sketch_file import sketch_file
+from sketchkit.runtime.explore.explorer import SketchExplorer
+from sketchkit.runtime.explorer import NoExplorer
 from sketchkit.runtime.inputs import Inputs, Live, Recorded, Replayed
 from sketchkit.runtime.player import Manner, Player
 from sketchkit.runtime.replay import EventsError, read_replay
@@ -44,6 +46,11 @@ NO_WINDOW = WRONG_CALL = 2  # exit status
     help="Play back mouse and keys from an events file, as render does.",
 )
 @python_mode
+@click.option(
+    "--no-explore",
+    is_flag=True,
+    help="Give the sketch F1 to F12 too, and say nothing of pictures in which nothing shows.",
+)
 @click.option("--traceback", is_flag=True, help="Show all that Python says about a mistake.")
 def command(  # noqa: PLR0913 # click hands over each option
     sketch: Path,
@@ -53,10 +60,12 @@ def command(  # noqa: PLR0913 # click hands over each option
     record: Path | None,
     events: Path | None,
     python: int | None,
+    no_explore: bool,
     traceback: bool,
 ) -> None:
     """Show SKETCH, a Python file (.py or .pyde) or its folder, in a window.
 
+    F1 shows the keys that explore it: pause, another camera, which line drew what, numbers.
     Esc or closing the window ends it. Save the sketch, one of its modules or a file that it has
     loaded, and it starts again in the same window. What follows SKETCH is the list that the sketch
     sees as args.
@@ -78,6 +87,7 @@ def command(  # noqa: PLR0913 # click hands over each option
             Manner(args, inputs, not no_reload, keep_state, python),
             tell=say.remark,
             say=lambda report: say.mistake(report, with_traceback=traceback),
+            explorer=NoExplorer() if no_explore else SketchExplorer(say.remark),
         )
         is_well = player.play()
     if record and isinstance(inputs, Recorded):

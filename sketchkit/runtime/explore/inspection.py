@@ -165,6 +165,16 @@ def report(inspection: Inspection, name: str) -> list[str]:
     return [*lines, *_body(inspection, "")]
 
 
+def short_report(inspection: Inspection) -> str:
+    """Return what is said beside the pointer: the call, or that the line is not known."""
+    answer = inspection.answer
+    if answer is None:
+        return "Nothing was drawn here."
+    if not answer.sites and answer.kind != "background":
+        return "Drawn before the lines were noted down: F6 draws the next frame."
+    return f"{answer.title} ({part_in_words(answer)})"
+
+
 def _body(inspection: Inspection, margin: str) -> list[str]:
     answer = inspection.answer
     if answer is None:

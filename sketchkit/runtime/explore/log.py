@@ -123,20 +123,34 @@ class FrameLog:
     ----------
     notes : Notes, optional
         Who has set pixels.
+    limit : int
+        How much is kept of frames that are past, in vertices, of all canvases.
+    now : callable, optional
+        Returns the number of the frame that is being drawn, if nobody calls `begin_frame`.
 
     Attributes
     ----------
     frame : int
         The one that is being drawn.
+    forgets : bool
+        Whether what is covered is forgotten at the next frame.
     steps : dict of int to Step
     histories : mapping of Target to History
     """
 
     reads_shapes: ClassVar = False
 
-    def __init__(self, notes: Notes | None = None) -> None:
+    def __init__(
+        self,
+        notes: Notes | None = None,
+        limit: int = MOST_KEPT,
+        now: Callable[[], int] | None = None,
+    ) -> None:
         self.frame = 0
         self.notes = notes
+        self.limit = limit
+        self.forgets = True
+        self._now = now
         self.steps: dict[int, Step] = {}
         self.histories: weakref.WeakKeyDictionary[Target, History] = weakref.WeakKeyDictionary()
         self._copies: weakref.WeakKeyDictionary[Pixels, Pixels] = weakref.WeakKeyDictionary()
@@ -148,13 +162,15 @@ class FrameLog:
     def begin_frame(self, number: int) -> None:
         """Go on to a frame; forget what is covered by now."""
         self.frame = number
+        if not self.forgets:
+            return
         for history in self.histories.values():
             last = self._last_clear(history)
             if last > 0:
                 history.moments = history.moments[last:]
                 history.is_whole = True
         self._drop_unused()
-        while self._size > MOST_KEPT and len(self.steps) > 1:
+        while self._size > self.limit and len(self.steps) > 1:
             self._forget_oldest()
 
     def skip_frames(self) -> None:
@@ -168,6 +184,8 @@ class FrameLog:
 
     def read_commands(self, commands: DrawList) -> None:
         """Take what is about to be drawn."""
+        if self._now is not None and (frame := self._now()) != self.frame:
+            self.begin_frame(frame)
         commands = _with_own_pixels(commands)
         records, self._pending = self._pending, None
         targets = [_target(command) for command in commands.commands]

@@ -1,0 +1,484 @@
+"""The explorer of a running sketch: what the keys F1 to F12 do, and what they show.
+
+It is the `Explorer` that the player asks (runtime/explorer.py). What it draws lies on canvases of
+its own; the sketch's pixels, its mouse and its frameCount stay as they are.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable, Iterable
+from contextlib import ExitStack
+from typing import NamedTuple
+
+from sketchkit.api.events import KeyEvent, MouseEvent
+from sketchkit.api.graphics import PGraphics
+from sketchkit.core.constants import CODED, DOWN, ENTER, LEFT, RIGHT, UP
+from sketchkit.core.matrix import eye_distance, multiply4
+from sketchkit.draw.commands import DrawList
+from sketchkit.draw.renderer import Renderer
+from sketchkit.draw.resources import Target
+from sketchkit.draw.stage import Stage
+from sketchkit.runtime.events import AnyEvent
+from sketchkit.runtime.explore import gizmos
+from sketchkit.runtime.explore.blank import Remark, is_flat, remark_on
+from sketchkit.runtime.explore.describe import DEFAULT_FOV, surroundings
+from sketchkit.runtime.explore.inspection import Inspection, look, report, short_report
+from sketchkit.runtime.explore.log import MOST_KEPT, FrameLog
+from sketchkit.runtime.explore.noting import noting
+from sketchkit.runtime.explore.panel import draw_graph, draw_lines, draw_panel
+from sketchkit.runtime.explore.tweaks import Tweaks
+from sketchkit.runtime.explore.view import View, redrawn, seen
+from sketchkit.runtime.loader import Tell
+from sketchkit.runtime.loop import Loop
+
+KEPT_ALWAYS = 50_000  # vertices of past frames, while nobody looks
+FIRST_CHECK = 2  # frames, until it is looked at whether anything shows
+NOTED_FRAMES = 2  # at the beginning, so that a sketch that stands still can be inspected
+SPEEDS = (1.0, 0.5, 0.2, 0.05)
+TOLD_S = 12.0  # how long a remark stays in the window
+FRAMES_SHOWN = 120
+F1 = 112  # keyCode
+
+HELP = (
+    "Keys of the explorer: the sketch does not see them",
+    "F1   this help",
+    "F2   move the camera with the mouse, on or off: drag turns, right drag moves, wheel zooms",
+    "F3   back to the sketch's own camera",
+    "F5   pause, and go on",
+    "F6   one frame",
+    "F7   slower, and at full speed again",
+    "F8   inspect: point at something, click to keep it",
+    "F9   time of frames, draw calls, vertices",
+    "F10  wire frame; then normals too; then off",
+    "F11  axes, ground, lights and camera",
+    "F12  numbers of the sketch: up and down choose, left and right change, Enter writes them",
+)
+
+
+class Modes(NamedTuple):
+    """What is switched on.
+
+    Attributes
+    ----------
+    wire : int
+        0: none, 1: edges, 2: normals too.
+    speed : int
+        Entry of SPEEDS.
+    """
+
+    help: bool = False
+    camera: bool = False
+    inspect: bool = False
+    graph: bool = False
+    wire: int = 0
+    gizmos: bool = False
+    numbers: bool = False
+    speed: int = 0
+
+
+class SketchExplorer:
+    """Explores one sketch after another, in one window.
+
+    Parameters
+    ----------
+    tell : callable
+        Called with file, line and text of a remark.
+    now : callable
+        Returns the time, in seconds from whenever.
+    """
+
+    def __init__(self, tell: Tell, now: Callable[[], float] = time.perf_counter) -> None:
+        self._tell = tell
+        self._now = now
+        self._modes = Modes()
+        self._is_paused = self._wants_step = False
+        self._loop: Loop | None = None
+        self._renderer: Renderer | None = None
+        self._own: Renderer | None = None  # of the picture under another camera
+        self._stand_in: Target | None = None
+        self._log = FrameLog()
+        self._notes = ExitStack()
+        self._view: View | None = None
+        self._frame = -1
+        self._shown_s = 0.0
+        self._times_ms: deque[float] = deque(maxlen=FRAMES_SHOWN)
+        self._counts = (0, 0, 0, 0)  # draw calls and vertices, in all and of the last frame
+        self._mouse, self._dragged = (0, 0), (0, 0)
+        self._pinned: tuple[int, int] | None = None
+        self._looked: tuple[tuple[int, int], int, Inspection] | None = None
+        self._remark: tuple[Remark, float] | None = None
+        self._tweaks: Tweaks | None = None
+        self._chosen = 0
+
+    # What the player asks
+
+    @property
+    def is_paused(self) -> bool:
+        """Whether no frame is to be drawn."""
+        return self._is_paused
+
+    @property
+    def speed(self) -> float:
+        """How fast the sketch's time passes."""
+        return SPEEDS[self._modes.speed]
+
+    @property
+    def has_overlay(self) -> bool:
+        """Whether anything is drawn over the picture."""
+        shows = any(self._modes[:-1]) or self._modes.speed > 0
+        return shows or self._is_paused or self._remark is not None
+
+    def begin(self, loop: Loop, renderer: Renderer) -> None:
+        """Take a sketch that has been read."""
+        self._loop, self._renderer = loop, renderer
+        self._own = Renderer(renderer.backend)
+        limit = MOST_KEPT if self._modes.inspect else KEPT_ALWAYS
+        self._log = FrameLog(None, limit, lambda: loop.frame_count)
+        self._log.forgets = False
+        self._view = None
+        self._frame, self._counts = -1, (0, 0, 0, 0)
+        self._looked = self._remark = self._tweaks = None
+        renderer.readers.append(self._log)
+        self._begin_notes()
+
+    def end(self) -> None:
+        """Let go of the sketch."""
+        self._notes.close()
+        if self._renderer is not None and self._log in self._renderer.readers:
+            self._renderer.readers.remove(self._log)
+        self._loop = self._renderer = None
+        self._log = FrameLog()
+        self._is_paused = False
+
+    def takes_step(self) -> bool:
+        """Return whether one frame is to be drawn though paused."""
+        wants, self._wants_step = self._wants_step, False
+        return wants
+
+    def handles(self, event: AnyEvent) -> bool:
+        """Take an event; return whether the sketch does not get it."""
+        match event:
+            case KeyEvent(key=key, keyCode=code) if key == CODED and F1 <= code < F1 + 12:
+                if event.action == KeyEvent.PRESS and (act := KEYS.get(code - F1 + 1)):
+                    act(self)
+                return True
+            case KeyEvent() if self._modes.numbers:
+                return self._change_number(event)
+            case MouseEvent():
+                return self._handles_mouse(event)
+        return False
+
+    def picture(self, target: Target) -> Target:
+        """Return the sketch's picture, or what it has drawn under another camera."""
+        loop = self._loop
+        if loop is None or self._renderer is None:
+            return target
+        if loop.frame_count != self._frame:
+            self._take_frame(loop.frame_count)
+        if self._view is None or self._view.is_home or self._own is None:
+            return target
+        stand_in = self._stand_in
+        size = target.width, target.height, target.samples, target.top_row_first
+        if stand_in is None or size != _size(stand_in):
+            stand_in = self._stand_in = Target(*size)
+        for own in redrawn(self._lists(), target, stand_in, self._view):
+            self._own.backend.execute(own)
+        return stand_in
+
+    def draw_over(self, canvas: PGraphics) -> None:
+        """Draw what is switched on."""
+        modes = self._modes
+        if modes.wire or modes.gizmos:
+            self._draw_lines(canvas)
+        if modes.graph:
+            self._draw_graph(canvas)
+        if modes.numbers:
+            self._draw_numbers(canvas)
+        if modes.inspect:
+            self._draw_inspection(canvas)
+        self._draw_state(canvas)
+        if self._remark is not None:
+            remark, until_s = self._remark
+            place = f"line {remark.line}: {remark.text}"
+            draw_panel(canvas, place.splitlines(), at=(0, canvas.height))
+            if self._now() > until_s:
+                self._remark = None
+        if modes.help:
+            draw_panel(canvas, HELP)
+
+    # Keys
+
+    def toggle(self, name: str) -> None:
+        """Switch something on or off."""
+        self._modes = self._modes._replace(**{name: not getattr(self._modes, name)})
+
+    def pause(self) -> None:
+        """Stand still, or go on."""
+        self._is_paused = not self._is_paused
+
+    def step(self) -> None:
+        """Draw one frame, and stand still."""
+        self._is_paused = self._wants_step = True
+
+    def slow_down(self) -> None:
+        """Let time pass more slowly, or as it should again."""
+        self._modes = self._modes._replace(speed=(self._modes.speed + 1) % len(SPEEDS))
+
+    def go_home(self) -> None:
+        """Go back to the sketch's own camera."""
+        self._view = None
+        self._modes = self._modes._replace(camera=False)
+
+    def next_wire(self) -> None:
+        """Show edges, normals too, or none."""
+        self._modes = self._modes._replace(wire=(self._modes.wire + 1) % 3)
+
+    def inspect(self) -> None:
+        """Begin to inspect, or end it."""
+        self.toggle("inspect")
+        self._pinned = self._looked = None
+        if self._modes.inspect:
+            self._view = None  # what is pointed at is the sketch's own picture
+            self._log.limit = MOST_KEPT
+            self._begin_notes()
+        else:
+            self._log.limit = KEPT_ALWAYS
+            self._notes.close()
+
+    def show_numbers(self) -> None:
+        """Show the numbers of the sketch, or no longer."""
+        self.toggle("numbers")
+        if self._modes.numbers and self._tweaks is None and self._loop is not None:
+            self._tweaks, self._chosen = Tweaks(self._loop.program), 0
+
+    # Frames
+
+    def _begin_notes(self) -> None:
+        self._notes.close()
+        if self._loop is not None:
+            self._log.notes = self._notes.enter_context(noting(self._loop.program.names))
+
+    def _take_frame(self, number: int) -> None:
+        """Take that a frame has been drawn."""
+        now_s = self._now()
+        if self._frame >= 0:
+            self._times_ms.append((now_s - self._shown_s) * 1000)
+        self._frame, self._shown_s = number, now_s
+        assert self._renderer is not None
+        assert self._loop is not None
+        stats, (calls, vertices, _, _) = self._renderer.stats, self._counts
+        own = stats.draw_calls - calls, stats.vertices - vertices
+        self._counts = (stats.draw_calls, stats.vertices, *own)
+        is_last = number > 0 and not self._loop.is_drawing
+        if not self._log.forgets and (number >= FIRST_CHECK or is_last):
+            self._check_picture(number)
+            self._log.forgets = True
+        if number >= NOTED_FRAMES and not self._modes.inspect:
+            self._notes.close()
+
+    def _check_picture(self, number: int) -> None:
+        """Tell if nothing of what is drawn shows."""
+        assert self._loop is not None
+        pixels = self._loop.program.sketch.canvas.image_data()
+        if not is_flat(pixels):
+            return
+        remark = remark_on(self._log, surroundings(self._loop.program), pixels, number)
+        if remark is not None:
+            self._remark = remark, self._now() + TOLD_S
+            self._tell(remark.path, remark.line, remark.text)
+
+    def _lists(self) -> Iterable[DrawList]:
+        """Return what was drawn in the last frame, or before it if there was no background()."""
+        return [step.commands for step in self._log.steps.values()]
+
+    # Mouse
+
+    def _handles_mouse(self, event: MouseEvent) -> bool:
+        place = event.x, event.y
+        before, self._mouse = self._mouse, place
+        if self._modes.inspect:
+            if event.action == MouseEvent.PRESS:
+                self._pinned = None if event.button == RIGHT else place
+            return event.action in CLICKS
+        if not self._modes.camera or event.action not in CLICKS | {
+            MouseEvent.DRAG,
+            MouseEvent.WHEEL,
+        }:
+            return False
+        view = self._view or self._own_view()
+        dx, dy = place[0] - before[0], place[1] - before[1]
+        if event.action == MouseEvent.WHEEL:
+            view = view.zoomed(event.count, place)
+        elif event.action == MouseEvent.DRAG:
+            view = view.turned(dx, dy) if event.button == LEFT else view.moved(dx, dy)
+        self._view = view
+        return True
+
+    def _own_view(self) -> View:
+        """Return the sketch's own camera."""
+        assert self._loop is not None
+        canvas = self._loop.program.sketch.canvas
+        stage = self._stage()
+        is_3d = stage is not None and stage.is_3d
+        return View.of((canvas.width, canvas.height), self._distance(), is_3d=is_3d)
+
+    def _distance(self) -> float:
+        """Return how far the middle of the picture is from the camera, if it is the usual one."""
+        assert self._loop is not None
+        return float(eye_distance(self._loop.program.sketch.canvas.height, DEFAULT_FOV))
+
+    def _stage(self) -> Stage | None:
+        """Return the stage of the last thing on the main canvas that was drawn with a camera."""
+        assert self._loop is not None
+        target, found = self._loop.program.sketch.canvas.target, None
+        for step in self._log.steps.values():
+            for stage in step.records.stages if step.records else ():
+                if stage.target is target and (found is None or stage.is_3d or not found.is_3d):
+                    found = stage
+        return found
+
+    # Pictures
+
+    def _draw_lines(self, canvas: PGraphics) -> None:
+        stage = self._stage()
+        if stage is None or self._loop is None:
+            return
+        view = self._view or self._own_view()
+        lines: list[gizmos.Lines] = []
+        if self._modes.wire:
+            lines += gizmos.wire(self._lists(), stage.target)
+        if self._modes.wire > 1:
+            lines += gizmos.normals(self._lists(), stage.target, self._distance())
+        if self._modes.gizmos:
+            lines += self._gizmos(stage, view)
+        size = canvas.width, canvas.height
+        for own in lines:
+            projection = own.projection
+            if not view.is_home:
+                projection = multiply4(projection, view.matrix)
+            draw_lines(canvas, seen(projection, own.segments, size), own.color)
+
+    def _gizmos(self, stage: Stage, view: View) -> Iterable[gizmos.Lines]:
+        assert self._loop is not None
+        around = surroundings(self._loop.program)
+        width, height = stage.target.width, stage.target.height
+        distance, camera, projection = self._distance(), around.camera, stage.projection
+        yield from gizmos.axes(camera, projection, height / 2)
+        if not stage.is_3d:
+            return
+        is_usual = abs(camera[11] + distance) < 1.0
+        centre = (width / 2, float(height), 0.0) if is_usual else (0.0, 0.0, 0.0)
+        yield gizmos.ground(camera, projection, centre, max(width, height) / 5)
+        lit = [
+            own for step in self._log.steps.values() if step.records for own in step.records.stages
+        ]
+        lights = dict.fromkeys(
+            light for own in lit if own.target is stage.target for light in own.lights or ()
+        )
+        yield from gizmos.lamps(lights, projection, distance)
+        if not view.is_home and (frustum := gizmos.frustum(projection, distance)):
+            yield frustum
+
+    def _draw_graph(self, canvas: PGraphics) -> None:
+        times = list(self._times_ms)
+        mean = sum(times) / len(times) if times else 0.0
+        _, _, calls, vertices = self._counts
+        rate = f"{1000 / mean:.0f} frames/s" if mean else "-"
+        lines = [f"{mean:.1f} ms, {rate}", f"{calls} draw calls", f"{vertices} vertices"]
+        draw_graph(canvas, times, lines)
+
+    def _draw_state(self, canvas: PGraphics) -> None:
+        parts = []
+        if self._is_paused:
+            parts.append(f"paused at frame {max(self._frame, 0)}: F5 goes on, F6 one frame")
+        if self._modes.speed:
+            parts.append(f"at {self.speed:g} of its speed: F7")
+        if self._modes.camera or (self._view is not None and not self._view.is_home):
+            parts.append("another camera: F2 mouse, F3 back")
+        if parts:
+            draw_panel(canvas, ["   ".join(parts)], at=(8, canvas.height))
+
+    def _draw_inspection(self, canvas: PGraphics) -> None:
+        place = self._pinned or self._mouse
+        found = self._inspection(place)
+        if found is None:
+            return
+        x, y = place
+        canvas.noFill()
+        canvas.stroke(0xFFFFD060)
+        canvas.strokeWeight(1)
+        canvas.rect(x - 2.5, y - 2.5, 5, 5)
+        if self._pinned is None:
+            draw_panel(canvas, [short_report(found)], at=(x + 12, y + 12))
+        else:
+            assert self._loop is not None
+            draw_panel(canvas, report(found, self._loop.program.source.path.name))
+
+    def _inspection(self, place: tuple[int, int]) -> Inspection | None:
+        """Return what has drawn a pixel; looked up once for each place and frame."""
+        if self._loop is None:
+            return None
+        canvas = self._loop.program.sketch.canvas
+        if not (0 <= place[0] < canvas.width and 0 <= place[1] < canvas.height):
+            return None
+        if self._looked is None or self._looked[:2] != (place, self._frame):
+            found = look(self._loop.program, self._log, place, self._frame)
+            self._looked = place, self._frame, found
+        return self._looked[2]
+
+    # Numbers
+
+    def _draw_numbers(self, canvas: PGraphics) -> None:
+        tweaks = self._tweaks
+        if tweaks is None or not tweaks.numbers:
+            draw_panel(canvas, ["There are no numbers in this sketch."])
+            return
+        rows = max(canvas.height // 16 - 4, 1)
+        first = max(min(self._chosen - rows // 2, len(tweaks.numbers) - rows), 0)
+        shown = tweaks.numbers[first : first + rows]
+        lines = ["Numbers: up, down; left, right change; Enter writes"]
+        lines += [("* " if own.is_changed else "  ") + tweaks.label(own) for own in shown]
+        draw_panel(canvas, lines, marked=self._chosen - first + 1)
+
+    def _change_number(self, event: KeyEvent) -> bool:
+        """Take a key while the numbers are shown."""
+        tweaks = self._tweaks
+        code = event.keyCode if event.key == CODED else event.key
+        if tweaks is None or not tweaks.numbers or code not in (UP, DOWN, LEFT, RIGHT, ENTER):
+            return False
+        if event.action != KeyEvent.PRESS:
+            return True
+        if code == ENTER:
+            tweaks.write()
+        elif code in (UP, DOWN):
+            self._chosen = (self._chosen + (1 if code == DOWN else -1)) % len(tweaks.numbers)
+        else:
+            size = 10 if event.isShiftDown() else 1
+            tweaks.numbers[self._chosen].step(size if code == RIGHT else -size)
+            tweaks.apply()
+        return True
+
+
+CLICKS = {MouseEvent.PRESS, MouseEvent.RELEASE, MouseEvent.CLICK}
+KEYS: dict[int, Callable[[SketchExplorer], None]] = {
+    1: lambda own: own.toggle("help"),
+    2: lambda own: own.toggle("camera"),
+    3: SketchExplorer.go_home,
+    5: SketchExplorer.pause,
+    6: SketchExplorer.step,
+    7: SketchExplorer.slow_down,
+    8: SketchExplorer.inspect,
+    9: lambda own: own.toggle("graph"),
+    10: SketchExplorer.next_wire,
+    11: lambda own: own.toggle("gizmos"),
+    12: SketchExplorer.show_numbers,
+}
+
+
+def _size(target: Target) -> tuple[int, int, int, bool]:
+    return target.width, target.height, target.samples, target.top_row_first
+
+
+__all__ = ["HELP", "SketchExplorer"]
