@@ -10,10 +10,11 @@ import numpy as np
 from sketchkit.draw.recorder import WHOLE, Kind
 from sketchkit.draw.vertex import U8
 from sketchkit.runtime.explore.calls import Site, sites
+from sketchkit.runtime.explore.cases import Case
 from sketchkit.runtime.explore.describe import Surroundings, chain_of
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.noting import Chain
-from sketchkit.runtime.explore.reasons import ALIKE, Case, Verdict, reason_of
+from sketchkit.runtime.explore.reasons import ALIKE, Verdict, reason_of
 
 MOST_CALLS = 12  # that are looked at
 MOST_TOLD = 3
@@ -75,6 +76,13 @@ def remark_on(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Re
     """
     if not is_flat(pixels):
         return None
+    try:
+        return _remark(log, around, pixels, frame)
+    except Exception:  # whatever it may be: no remark is worth a sketch that stops
+        return None
+
+
+def _remark(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Remark | None:
     unseen = _unseen(_groups(log, around, frame) or _groups(log, around, 0), around)
     if not unseen:
         return None

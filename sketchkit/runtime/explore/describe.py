@@ -18,10 +18,10 @@ from sketchkit.draw.recorder import ROW, Kind, ShapeRun, origin_of
 from sketchkit.draw.resources import Pixels, Target, Texture
 from sketchkit.draw.stage import Stage
 from sketchkit.runtime.explore.calls import Site, Sources, shape_begin, sites
+from sketchkit.runtime.explore.layers import Layer, Part
 from sketchkit.runtime.explore.log import FrameLog, Records, as_chain
 from sketchkit.runtime.explore.matrices import in_words, number, without_camera
 from sketchkit.runtime.explore.noting import Chain
-from sketchkit.runtime.explore.pixel import Layer, Part
 from sketchkit.runtime.loader import Program
 
 DEFAULT_FOV = pi / 3

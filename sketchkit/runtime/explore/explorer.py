@@ -8,74 +8,34 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import ExitStack
-from typing import NamedTuple
 
 from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.graphics import PGraphics
 from sketchkit.core.constants import CODED, DOWN, ENTER, LEFT, RIGHT, UP
-from sketchkit.core.matrix import eye_distance, multiply4
-from sketchkit.draw.commands import DrawList
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
-from sketchkit.draw.stage import Stage
 from sketchkit.runtime.events import AnyEvent
-from sketchkit.runtime.explore import gizmos
 from sketchkit.runtime.explore.blank import Remark, is_flat, remark_on
-from sketchkit.runtime.explore.describe import DEFAULT_FOV, surroundings
+from sketchkit.runtime.explore.describe import surroundings
 from sketchkit.runtime.explore.inspection import Inspection, look, report, short_report
 from sketchkit.runtime.explore.log import MOST_KEPT, FrameLog
+from sketchkit.runtime.explore.modes import HELP, SPEEDS, Modes
 from sketchkit.runtime.explore.noting import noting
-from sketchkit.runtime.explore.panel import draw_graph, draw_lines, draw_panel
+from sketchkit.runtime.explore.panel import draw_graph, draw_panel
+from sketchkit.runtime.explore.scenery import Scenery
 from sketchkit.runtime.explore.tweaks import Tweaks
-from sketchkit.runtime.explore.view import View, redrawn, seen
+from sketchkit.runtime.explore.view import View, redrawn
 from sketchkit.runtime.loader import Tell
 from sketchkit.runtime.loop import Loop
 
 KEPT_ALWAYS = 50_000  # vertices of past frames, while nobody looks
 FIRST_CHECK = 2  # frames, until it is looked at whether anything shows
 NOTED_FRAMES = 2  # at the beginning, so that a sketch that stands still can be inspected
-SPEEDS = (1.0, 0.5, 0.2, 0.05)
 TOLD_S = 12.0  # how long a remark stays in the window
 FRAMES_SHOWN = 120
 F1 = 112  # keyCode
-
-HELP = (
-    "Keys of the explorer: the sketch does not see them",
-    "F1   this help",
-    "F2   move the camera with the mouse, on or off: drag turns, right drag moves, wheel zooms",
-    "F3   back to the sketch's own camera",
-    "F5   pause, and go on",
-    "F6   one frame",
-    "F7   slower, and at full speed again",
-    "F8   inspect: point at something, click to keep it",
-    "F9   time of frames, draw calls, vertices",
-    "F10  wire frame; then normals too; then off",
-    "F11  axes, ground, lights and camera",
-    "F12  numbers of the sketch: up and down choose, left and right change, Enter writes them",
-)
-
-
-class Modes(NamedTuple):
-    """What is switched on.
-
-    Attributes
-    ----------
-    wire : int
-        0: none, 1: edges, 2: normals too.
-    speed : int
-        Entry of SPEEDS.
-    """
-
-    help: bool = False
-    camera: bool = False
-    inspect: bool = False
-    graph: bool = False
-    wire: int = 0
-    gizmos: bool = False
-    numbers: bool = False
-    speed: int = 0
 
 
 class SketchExplorer:
@@ -96,7 +56,6 @@ class SketchExplorer:
         self._is_paused = self._wants_step = False
         self._loop: Loop | None = None
         self._renderer: Renderer | None = None
-        self._own: Renderer | None = None  # of the picture under another camera
         self._stand_in: Target | None = None
         self._log = FrameLog()
         self._notes = ExitStack()
@@ -133,7 +92,6 @@ class SketchExplorer:
     def begin(self, loop: Loop, renderer: Renderer) -> None:
         """Take a sketch that has been read."""
         self._loop, self._renderer = loop, renderer
-        self._own = Renderer(renderer.backend)
         limit = MOST_KEPT if self._modes.inspect else KEPT_ALWAYS
         self._log = FrameLog(None, limit, lambda: loop.frame_count)
         self._log.forgets = False
@@ -170,6 +128,10 @@ class SketchExplorer:
                 return self._handles_mouse(event)
         return False
 
+    @property
+    def _scenery(self) -> Scenery | None:
+        return None if self._loop is None else Scenery(self._loop.program, self._log)
+
     def picture(self, target: Target) -> Target:
         """Return the sketch's picture, or what it has drawn under another camera."""
         loop = self._loop
@@ -177,21 +139,23 @@ class SketchExplorer:
             return target
         if loop.frame_count != self._frame:
             self._take_frame(loop.frame_count)
-        if self._view is None or self._view.is_home or self._own is None:
+        scenery, view = self._scenery, self._view
+        if scenery is None or view is None or view.is_home:
             return target
         stand_in = self._stand_in
         size = target.width, target.height, target.samples, target.top_row_first
         if stand_in is None or size != _size(stand_in):
             stand_in = self._stand_in = Target(*size)
-        for own in redrawn(self._lists(), target, stand_in, self._view):
-            self._own.backend.execute(own)
+        for own in redrawn(scenery.lists, target, stand_in, view):
+            self._renderer.backend.execute(own)
         return stand_in
 
     def draw_over(self, canvas: PGraphics) -> None:
         """Draw what is switched on."""
         modes = self._modes
-        if modes.wire or modes.gizmos:
-            self._draw_lines(canvas)
+        if (modes.wire or modes.gizmos) and (scenery := self._scenery):
+            view = self._view or scenery.own_view
+            scenery.draw(canvas, view, wire=modes.wire, has_gizmos=modes.gizmos)
         if modes.graph:
             self._draw_graph(canvas)
         if modes.numbers:
@@ -289,10 +253,6 @@ class SketchExplorer:
             self._remark = remark, self._now() + TOLD_S
             self._tell(remark.path, remark.line, remark.text)
 
-    def _lists(self) -> Iterable[DrawList]:
-        """Return what was drawn in the last frame, or before it if there was no background()."""
-        return [step.commands for step in self._log.steps.values()]
-
     # Mouse
 
     def _handles_mouse(self, event: MouseEvent) -> bool:
@@ -307,7 +267,10 @@ class SketchExplorer:
             MouseEvent.WHEEL,
         }:
             return False
-        view = self._view or self._own_view()
+        scenery = self._scenery
+        if scenery is None:
+            return False
+        view = self._view or scenery.own_view
         dx, dy = place[0] - before[0], place[1] - before[1]
         if event.action == MouseEvent.WHEEL:
             view = view.zoomed(event.count, place)
@@ -316,70 +279,7 @@ class SketchExplorer:
         self._view = view
         return True
 
-    def _own_view(self) -> View:
-        """Return the sketch's own camera."""
-        assert self._loop is not None
-        canvas = self._loop.program.sketch.canvas
-        stage = self._stage()
-        is_3d = stage is not None and stage.is_3d
-        return View.of((canvas.width, canvas.height), self._distance(), is_3d=is_3d)
-
-    def _distance(self) -> float:
-        """Return how far the middle of the picture is from the camera, if it is the usual one."""
-        assert self._loop is not None
-        return float(eye_distance(self._loop.program.sketch.canvas.height, DEFAULT_FOV))
-
-    def _stage(self) -> Stage | None:
-        """Return the stage of the last thing on the main canvas that was drawn with a camera."""
-        assert self._loop is not None
-        target, found = self._loop.program.sketch.canvas.target, None
-        for step in self._log.steps.values():
-            for stage in step.records.stages if step.records else ():
-                if stage.target is target and (found is None or stage.is_3d or not found.is_3d):
-                    found = stage
-        return found
-
     # Pictures
-
-    def _draw_lines(self, canvas: PGraphics) -> None:
-        stage = self._stage()
-        if stage is None or self._loop is None:
-            return
-        view = self._view or self._own_view()
-        lines: list[gizmos.Lines] = []
-        if self._modes.wire:
-            lines += gizmos.wire(self._lists(), stage.target)
-        if self._modes.wire > 1:
-            lines += gizmos.normals(self._lists(), stage.target, self._distance())
-        if self._modes.gizmos:
-            lines += self._gizmos(stage, view)
-        size = canvas.width, canvas.height
-        for own in lines:
-            projection = own.projection
-            if not view.is_home:
-                projection = multiply4(projection, view.matrix)
-            draw_lines(canvas, seen(projection, own.segments, size), own.color)
-
-    def _gizmos(self, stage: Stage, view: View) -> Iterable[gizmos.Lines]:
-        assert self._loop is not None
-        around = surroundings(self._loop.program)
-        width, height = stage.target.width, stage.target.height
-        distance, camera, projection = self._distance(), around.camera, stage.projection
-        yield from gizmos.axes(camera, projection, height / 2)
-        if not stage.is_3d:
-            return
-        is_usual = abs(camera[11] + distance) < 1.0
-        centre = (width / 2, float(height), 0.0) if is_usual else (0.0, 0.0, 0.0)
-        yield gizmos.ground(camera, projection, centre, max(width, height) / 5)
-        lit = [
-            own for step in self._log.steps.values() if step.records for own in step.records.stages
-        ]
-        lights = dict.fromkeys(
-            light for own in lit if own.target is stage.target for light in own.lights or ()
-        )
-        yield from gizmos.lamps(lights, projection, distance)
-        if not view.is_home and (frustum := gizmos.frustum(projection, distance)):
-            yield frustum
 
     def _draw_graph(self, canvas: PGraphics) -> None:
         times = list(self._times_ms)
@@ -479,6 +379,3 @@ KEYS: dict[int, Callable[[SketchExplorer], None]] = {
 
 def _size(target: Target) -> tuple[int, int, int, bool]:
     return target.width, target.height, target.samples, target.top_row_first
-
-
-__all__ = ["HELP", "SketchExplorer"]

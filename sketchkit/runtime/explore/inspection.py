@@ -10,9 +10,10 @@ from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.runtime.explore.describe import Description, Surroundings, describe, surroundings
+from sketchkit.runtime.explore.layers import History, Layer
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.noting import noting
-from sketchkit.runtime.explore.pixel import DEEPEST, History, Layer, history, texel
+from sketchkit.runtime.explore.pixel import DEEPEST, history, texel
 from sketchkit.runtime.explore.telling import (
     as_json,
     call_lines,

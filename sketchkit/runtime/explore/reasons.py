@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sketchkit.backends.cpu.probe import Range
-from sketchkit.backends.cpu.reach import Obstacle, Reach, reach
-from sketchkit.core.matrix import IDENTITY
+from sketchkit.backends.cpu.reach import Reach, reach
 from sketchkit.draw.commands import Draw, DrawMesh
-from sketchkit.draw.pipeline import Pipeline, Program
+from sketchkit.draw.pipeline import Program
 from sketchkit.draw.recorder import Kind
 from sketchkit.draw.resources import Pixels, Target
-from sketchkit.draw.vertex import Layer as Block
-from sketchkit.draw.vertex import VertexBlock
-from sketchkit.runtime.explore.describe import Surroundings, describe, light_in_words
-from sketchkit.runtime.explore.log import FrameLog, Moment, Records
-from sketchkit.runtime.explore.matrices import number
-from sketchkit.runtime.explore.pixel import Layer, Part, history
+from sketchkit.runtime.explore.cases import Case, Piece, pieces_of
+from sketchkit.runtime.explore.describe import describe, light_in_words
+from sketchkit.runtime.explore.layers import Layer, Part
+from sketchkit.runtime.explore.log import FrameLog, Moment
+from sketchkit.runtime.explore.obstacles import obstacle_in_words
+from sketchkit.runtime.explore.pixel import history
 
 ALIKE = 2  # of 255: colours that differ by no more look the same
 LIT = (Program.LIT, Program.TEXTURED_LIT)
@@ -61,53 +55,6 @@ class Reason(NamedTuple):
 SHOWN, UNSURE = Reason(Verdict.SHOWN), Reason(Verdict.UNSURE)
 
 
-@dataclass(frozen=True)
-class Piece:
-    """What a row has drawn in one command: its fill, its outline or its points."""
-
-    moment: Moment
-    row: int
-    part: Part
-    pipeline: Pipeline
-    block: VertexBlock
-    drawn: Range
-
-    @property
-    def alphas(self) -> NDArray[np.uint8]:
-        """The alphas of its vertices."""
-        first = self.drawn.first
-        used = self.block.indices[first : first + self.drawn.size]
-        return np.asarray(self.block.colors[used, 3])
-
-
-@dataclass(frozen=True)
-class Case:
-    """A row that is asked about."""
-
-    log: FrameLog
-    around: Surroundings
-    serial: int
-    row: int
-
-    @property
-    def records(self) -> Records:
-        """The rows that it is one of."""
-        records = self.log.steps[self.serial].records
-        assert records is not None
-        return records
-
-    @property
-    def kind(self) -> Kind:
-        """What it draws."""
-        return Kind(int(self.records.table["kind"][self.row]))
-
-    @property
-    def modelview(self) -> NDArray[np.float64]:
-        """Its matrix, (3, 4)."""
-        state = int(self.records.table["state"][self.row])
-        return np.array(self.records.matrices[12 * state : 12 * state + 12]).reshape(3, 4)
-
-
 def reason_of(case: Case) -> Reason:
     """Return why a row does not show; of fill and outline the first that has a reason speaks."""
     if not np.isfinite(case.modelview).all():
@@ -126,44 +73,6 @@ def reason_of(case: Case) -> Reason:
         if any(reason.verdict is verdict for reason in reasons):
             return Reason(verdict)
     return reasons[0]
-
-
-def pieces_of(case: Case) -> Iterator[Piece]:
-    """Yield what a row has drawn, command by command."""
-    step = case.log.steps[case.serial]
-    for index, command in enumerate(step.commands.commands):
-        moment = case.serial, index
-        if isinstance(command, DrawMesh) and step.rows[index] == case.row:
-            part = command.part
-            drawn = Range(part.first, part.count, command.modelview, part.weight_scale)
-            yield Piece(
-                moment,
-                case.row,
-                _part(part.layer),
-                command.pipeline,
-                part.mesh.blocks[part.layer],
-                drawn,
-            )
-        elif isinstance(command, Draw):
-            order = step.commands.orders[command.layer]
-            for key, kind in (
-                (2 * case.row, _part(command.layer)),
-                (2 * case.row + 1, Part.STROKE),
-            ):
-                at = np.flatnonzero(order.keys == key)
-                if not len(at):
-                    continue
-                begin = int(order.ends[at[0] - 1]) if at[0] else 0
-                end = int(order.ends[at[-1]])
-                begin, end = max(begin, command.first), min(end, command.first + command.count)
-                if begin < end:
-                    block = step.commands.blocks[command.layer]
-                    drawn = Range(begin, end - begin, IDENTITY)
-                    yield Piece(moment, case.row, kind, command.pipeline, block, drawn)
-
-
-def _part(block: Block) -> Part:
-    return {Block.FILLS: Part.FILL, Block.LINES: Part.STROKE, Block.POINTS: Part.POINT}[block]
 
 
 def _hidden(text: str, culprit: Layer | None = None) -> Reason:
@@ -220,7 +129,7 @@ def _reason_of_piece(case: Case, piece: Piece) -> Reason:
     surface = case.log.steps[case.serial].surfaces[piece.pipeline.target]
     reached = reach(piece.pipeline._replace(target=surface), piece.block, piece.drawn)
     if reached.obstacle is not None:
-        return _hidden(_obstacle(case, piece, reached, surface))
+        return _hidden(obstacle_in_words(case, piece, reached, surface))
     return _seen(case, piece, reached)
 
 
@@ -331,81 +240,3 @@ def _behind(case: Case, piece: Piece, layer: Layer, reached: Reach) -> str:
         None,
     )
     return "" if below is None else f": {describe(case.log, below, case.around).title}"
-
-
-def _obstacle(case: Case, piece: Piece, reached: Reach, surface: Target) -> str:
-    """Return what keeps a part off the picture, with the numbers that tell."""
-    match reached.obstacle:
-        case Obstacle.NO_NUMBER:
-            return "One of its numbers is none (NaN) or infinite."
-        case Obstacle.BEHIND:
-            return "It lies behind the camera: give it a smaller z, or move the camera back."
-        case Obstacle.TOO_NEAR:
-            near, _ = depth_range(piece.pipeline)
-            return f"It is too near: the picture begins {near} in front of the camera."
-        case Obstacle.TOO_FAR:
-            _, far = depth_range(piece.pipeline)
-            return f"It is too far away: the picture ends {far} in front of the camera."
-        case Obstacle.LEFT | Obstacle.RIGHT | Obstacle.ABOVE | Obstacle.BELOW:
-            return _beside(reached, surface, is_window=piece.pipeline.target is case.around.canvas)
-        case Obstacle.FLAT:
-            return _without_size(case, piece)
-        case Obstacle.CLIPPED:
-            clip = piece.pipeline.clip
-            assert clip is not None
-            return (
-                "It lies outside of clip(), which lets through "
-                f"{clip.width} x {clip.height} pixels at {clip.left}, {clip.top}."
-            )
-        case Obstacle.SMALL:
-            return "It is smaller than a pixel."
-    return "It lies outside of what the camera sees."
-
-
-def _beside(reached: Reach, surface: Target, *, is_window: bool) -> str:
-    """Return on which side of the window something lies."""
-    sides = {
-        Obstacle.LEFT: ("to the left of", "x", 0),
-        Obstacle.RIGHT: ("to the right of", "x", 0),
-        Obstacle.ABOVE: ("above", "y", 1),
-        Obstacle.BELOW: ("below", "y", 1),
-    }
-    assert reached.obstacle is not None
-    where, axis, index = sides[reached.obstacle]
-    picture = "the window" if is_window else "its canvas"
-    text = f"It lies {where} {picture}"
-    if reached.bounds is None:
-        return f"{text}."
-    first, last = reached.bounds[index], reached.bounds[index + 2]
-    size = (surface.width, surface.height)[index]
-    shown = f"{first:.0f} to {last:.0f}" if last - first >= 1 else f"{first:.0f}"
-    return f"{text}: there its {axis} is {shown}, and {picture} goes from 0 to {size}."
-
-
-def depth_range(pipeline: Pipeline) -> tuple[str, str]:
-    """Return how far from the camera the picture begins and ends, as numbers to be shown."""
-    p = pipeline.projection
-    if p[12:] == (0.0, 0.0, 0.0, 1.0):
-        return number((p[11] + 1) / p[10]), number((p[11] - 1) / p[10])
-    near, far = p[11] / (p[10] - 1), p[11] / (p[10] + 1)
-    return number(near), number(far)
-
-
-def _without_size(case: Case, piece: Piece) -> str:
-    """Return why something has no area on the picture."""
-    linear = case.modelview[:, :3] if case.kind is not Kind.MESH else _linear(piece)
-    sizes = np.linalg.norm(linear, axis=0)
-    if (sizes[:2] < 1e-9).any():
-        return "The matrix squeezes it to nothing: scale(0) is in force."
-    block = piece.block
-    first, size = piece.drawn.first, piece.drawn.size
-    corners = block.positions[block.indices[first : first + size]].reshape(-1, 3, 3).astype(float)
-    if block.directions is None and block.offsets is None:
-        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        if np.sqrt((across**2).sum(axis=1)).max(initial=0.0) > 1e-9 and math.isfinite(across.sum()):
-            return "It is seen exactly from its edge, and flat things have no thickness."
-    return "It has no size: its width, its height or its radius is 0."
-
-
-def _linear(piece: Piece) -> NDArray[np.float64]:
-    return np.array(piece.drawn.modelview).reshape(3, 4)[:, :3]

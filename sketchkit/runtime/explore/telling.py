@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from sketchkit.runtime.explore.describe import Color, Description, Surroundings, describe
+from sketchkit.runtime.explore.layers import Layer, Part
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.matrices import number, rows_of
-from sketchkit.runtime.explore.pixel import Layer, Part
 
 PARTS = {
     Part.FILL: "its fill",
