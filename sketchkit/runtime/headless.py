@@ -94,7 +94,12 @@ Opener: TypeAlias = Callable[[Launch, Renderer, Clock], AbstractContextManager[L
 
 
 def render(
-    launch: Launch, numbers: Sequence[int], backend: Backend, opener: Opener | None = None
+    launch: Launch,
+    numbers: Sequence[int],
+    backend: Backend,
+    opener: Opener | None = None,
+    *,
+    looks: bool = True,
 ) -> Iterator[Frame]:
     """Yield the pictures of some frames of a sketch, in rising order.
 
@@ -108,6 +113,8 @@ def render(
         What draws.
     opener : callable, optional
         Makes the sketch ready to begin, if it is no file: see `started`.
+    looks : bool
+        Whether the sketch is told when nothing of what it draws shows. Not if nothing is drawn.
 
     Raises
     ------
@@ -120,6 +127,8 @@ def render(
         seed_everything(launch.seed)
         steps = Steps(loop, clock, launch.replay, launch.rate)
         lookout = Lookout(loop.program, renderer)
+        if not looks:
+            lookout.stop()
         for frame in _frames(steps, renderer, lookout, sorted(set(numbers))):
             if remark := lookout.look(frame.pixels, steps.frame):
                 launch.tell(remark.path, remark.line, remark.text)

@@ -23,7 +23,7 @@ def trace(launch: Launch, number: int) -> str:
     """
     backend = ListingBackend()
     texts: list[str] = []
-    for frame in render(launch, range(number + 1), backend):
+    for frame in render(launch, range(number + 1), backend, looks=False):
         if frame.repeats is None:
             texts = backend.texts
         backend.texts = []

@@ -139,7 +139,7 @@ class Frame:
         averages: U8 = self.colors[0].copy()
         packed = self.colors.view(np.uint32)[..., 0]
         row, column = np.nonzero((packed[1:] != packed[0]).any(axis=0))
-        averages[row, column] = _average(self.colors[:, row, column])
+        averages[row, column] = average(self.colors[:, row, column])
         return averages
 
 
@@ -172,7 +172,7 @@ def bounded(values: F32) -> F32:
     return between
 
 
-def _average(samples: U8) -> U8:
+def average(samples: U8) -> U8:
     """Return the mean over the first axis.
 
     In float32 and one after the other, as Mesa does: a mean that lies half-way between two whole

@@ -8,6 +8,7 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from sketchkit.backends.cpu.frames import average
 from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.vertex import U8
 from sketchkit.runtime.explore.log import Moment
@@ -105,8 +106,8 @@ class History:
     @property
     def color(self) -> tuple[int, int, int, int]:
         """Red, green, blue and alpha of the pixel."""
-        mean = np.rint(self.colors.astype(np.float64).mean(axis=0)).astype(int).tolist()
-        return mean[0], mean[1], mean[2], mean[3]
+        red, green, blue, alpha = average(self.colors).tolist()
+        return red, green, blue, alpha
 
     @property
     def answer(self) -> Layer | None:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.backends.cpu.blending import blend
-from sketchkit.backends.cpu.frames import FARTHEST, NO_TRIANGLE, window_of
+from sketchkit.backends.cpu.frames import FARTHEST, NO_TRIANGLE, average, window_of
 from sketchkit.backends.cpu.probe import TEXTURED, Fragment, Range, probe
 from sketchkit.backends.cpu.shading import Sampled
 from sketchkit.backends.cpu.textures import Texture
@@ -266,7 +266,7 @@ def _replace_all(samples: _Samples, layer: Layer) -> None:
 
 def _upload(samples: _Samples, moment: Moment, color: U8) -> None:
     """Take over a pixel that the sketch has set; the others of the canvas come as they are."""
-    mean = np.rint(samples.colors.astype(np.float64).mean(axis=0)).astype(np.int64)
+    mean = average(samples.colors).astype(np.int64)
     if np.abs(mean - color.astype(np.int64)).max() <= 1 and samples.layers:
         samples.colors[:] = color
         _average_shares(samples)
@@ -279,8 +279,7 @@ def _upload(samples: _Samples, moment: Moment, color: U8) -> None:
 def _settle(samples: _Samples, how: Settling) -> None:
     """Begin a frame over the old picture."""
     if how is Settling.MEAN:
-        mean = np.rint(samples.colors.astype(np.float64).mean(axis=0))
-        samples.colors[:] = mean.astype(np.uint8)
+        samples.colors[:] = average(samples.colors)
         _average_shares(samples)
     elif how is Settling.TURN:
         samples.colors[:] = samples.colors[0]
