@@ -11,7 +11,9 @@ SKETCH = "size(20, 10)\nbackground(9)\nnoStroke()\nrect(0, 0, 10, 10)\n"
 
 def inspected(folder: Path, *options: str, text: str = SKETCH) -> Result:
     path = str(written(folder, text))
-    return CliRunner().invoke(main, ["inspect", path, "--renderer", "cpu", "--frame", "0", *options])
+    return CliRunner().invoke(
+        main, ["inspect", path, "--renderer", "cpu", "--frame", "0", *options]
+    )
 
 
 def test_line_of_a_pixel_is_printed(tmp_path: Path) -> None:

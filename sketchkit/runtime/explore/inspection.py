@@ -106,25 +106,29 @@ def inspect(
                 steps.step()
             renderer.flush()
             renderer.readers.remove(log)
-        found = [look(loop.program, log, place, steps.frame) for place in places]
+        canvas = loop.program.sketch.canvas
+        outside = _outside(places, (canvas.width, canvas.height))
+        if outside is None:
+            found = [look(loop.program, log, place, steps.frame) for place in places]
         loop.end()
+    if outside is not None:  # here, since it is no mistake of the sketch
+        raise outside
     return found
 
 
-def look(program: Program, log: FrameLog, place: Place, frame: int) -> Inspection:
-    """Return what has drawn a pixel of the main canvas.
+def _outside(places: Sequence[Place], size: tuple[int, int]) -> OutsideError | None:
+    """Return what is wrong with pixels that a picture does not have."""
+    width, height = size
+    for x, y in places:
+        if not (0 <= x < width and 0 <= y < height):
+            return OutsideError(f"The picture is {width} x {height}: there is no pixel {x}, {y}.")
+    return None
 
-    Raises
-    ------
-    OutsideError
-        If there is no such pixel.
-    """
+
+def look(program: Program, log: FrameLog, place: Place, frame: int) -> Inspection:
+    """Return what has drawn a pixel of the main canvas, which has such a pixel."""
     canvas = program.sketch.canvas
     width, height = canvas.width, canvas.height
-    if not (0 <= place[0] < width and 0 <= place[1] < height):
-        raise OutsideError(
-            f"The picture is {width} x {height}: there is no pixel {place[0]}, {place[1]}."
-        )
     picture = canvas.image_data()
     red, green, blue, alpha = picture[place[1], place[0]].tolist()
     around = surroundings(program)

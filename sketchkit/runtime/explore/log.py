@@ -56,7 +56,7 @@ class Records:
             recorder.nestings,
             recorder.shapes,
             recorder.parts,
-            recorder.origins,
+            list(recorder.origins),
         )
 
     def call(self, row: int) -> Chain:

@@ -17,7 +17,9 @@ CANVAS = "size(200, 150); global pg; pg = createGraphics(50, 50)"
 SHAPE = "size(200, 150); global s; s = createShape(RECT, 0, 0, 20, 20)"
 
 
-def told(folder: Path, setup: str, draw: str, *, clear: str = "background(255)", frame: int = 1) -> Remarks:
+def told(
+    folder: Path, setup: str, draw: str, *, clear: str = "background(255)", frame: int = 1
+) -> Remarks:
     body = indent(dedent(draw), "    ")
     text = f"def setup():\n    {setup}\ndef draw():\n    {clear}\n{body}\n"
     remarks = Remarks()

@@ -18,7 +18,9 @@ from sketchkit.runtime.headless import Launch
 from tests.runtime.sketches import Remarks, written
 
 
-def looked_at(folder: Path, text: str, *places: tuple[int, int], frame: int = 1) -> list[Inspection]:
+def looked_at(
+    folder: Path, text: str, *places: tuple[int, int], frame: int = 1
+) -> list[Inspection]:
     launch = Launch(written(folder, text), Remarks().tell)
     return inspect(launch, frame, places, CpuBackend())
 
@@ -51,7 +53,10 @@ def test_call_is_named_with_the_functions_that_led_to_it(tmp_path: Path) -> None
     [found] = looked_at(tmp_path, FLAT, (45, 12))
 
     assert found.answer is not None
-    assert [(site.line, site.function) for site in found.answer.sites] == [(4, "mark"), (10, "draw")]
+    assert [(site.line, site.function) for site in found.answer.sites] == [
+        (4, "mark"),
+        (10, "draw"),
+    ]
     assert found.answer.which == (2, 3)
     assert found.answer.paint.fill == (255, 0, 0, 255)
 
