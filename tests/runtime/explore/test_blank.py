@@ -30,18 +30,43 @@ def told(
 # The first line of draw() after its background() is line 5.
 HIDDEN = {
     "behind": (SOLID, "translate(100, 75, 400)\nbox(40)", 6, "behind the camera"),
-    "too near": (SOLID, "noStroke()\ntranslate(100, 75, 128)\nrect(-5, -5, 9, 9)", 7, "begins 12.99"),
+    "too near": (
+        SOLID,
+        "noStroke()\ntranslate(100, 75, 128)\nrect(-5, -5, 9, 9)",
+        7,
+        "begins 12.99",
+    ),
     "too far": (SOLID, "translate(100, 75, -5000)\nbox(500)", 6, "ends 1299.04"),
     "too far in parallel": (SOLID, "ortho()\ntranslate(0, 0, -5000)\nbox(9)", 7, "ends 1299.04"),
-    "looking away": (SOLID, "camera(0, 0, 99, 0, 0, 999, 0, 1, 0)\nbox(20)", 6, "behind the camera"),
+    "looking away": (
+        SOLID,
+        "camera(0, 0, 99, 0, 0, 999, 0, 1, 0)\nbox(20)",
+        6,
+        "behind the camera",
+    ),
     "left": (FLAT, "rect(-100, 10, 50, 50)", 5, "left of the window: there its x is -100 to -50"),
     "right": (FLAT, "circle(300, 10, 50)", 5, "right of the window: there its x is 275 to 325"),
     "above": (FLAT, "fill(0)\ntext('hi', 10, -30)", 6, "above the window"),
     "below": (SOLID, "translate(100, 600)\nbox(40)", 6, "below the window"),
-    "alpha 0": (FLAT, "noStroke()\nfill(255, 0, 0, 0)\nrect(9, 9, 50, 50)", 7, "alpha of its colour is 0"),
+    "alpha 0": (
+        FLAT,
+        "noStroke()\nfill(255, 0, 0, 0)\nrect(9, 9, 50, 50)",
+        7,
+        "alpha of its colour is 0",
+    ),
     "alpha 1": (FLAT, "noStroke()\nfill(0, 1)\ncircle(50, 50, 30)", 7, "all but transparent"),
-    "stroke's alpha 0": (FLAT, "noFill()\nstroke(0, 0)\ncircle(50, 50, 30)", 7, "alpha of its stroke"),
-    "nothing left": (FLAT, "noFill()\nnoStroke()\nrect(9, 9, 50, 50)", 7, "noFill() and noStroke()"),
+    "stroke's alpha 0": (
+        FLAT,
+        "noFill()\nstroke(0, 0)\ncircle(50, 50, 30)",
+        7,
+        "alpha of its stroke",
+    ),
+    "nothing left": (
+        FLAT,
+        "noFill()\nnoStroke()\nrect(9, 9, 50, 50)",
+        7,
+        "noFill() and noStroke()",
+    ),
     "line without stroke": (FLAT, "noStroke()\nline(0, 0, 99, 99)", 6, "noStroke() is in force"),
     "point without stroke": (SOLID, "noStroke()\npoint(9, 9)", 6, "noStroke() is in force"),
     "weight 0": (FLAT, "noFill()\nstrokeWeight(0)\nrect(9, 9, 9, 9)", 7, "nothing of it is left"),
@@ -49,17 +74,52 @@ HIDDEN = {
     "scale 0 in 2D": (FLAT, "scale(0)\nrect(0, 0, 40, 40)", 6, "scale(0)"),
     "no size": (FLAT, "noStroke()\nfill(0)\nrect(9, 9, 0, 40)", 7, "no size"),
     "radius 0": (SOLID, "noStroke()\nfill(0)\ntranslate(9, 9)\nsphere(0)", 8, "no size"),
-    "edge on": (SOLID, "noStroke()\ntranslate(100, 75)\nrotateY(HALF_PI)\nfill(0)\nsquare(-20, -20, 40)", 9, "edge"),
-    "smaller than a pixel": (FLAT, "noStroke()\nfill(0)\ncircle(50, 50, 0.01)", 7, "smaller than a pixel"),
+    "edge on": (
+        SOLID,
+        "noStroke()\ntranslate(100, 75)\nrotateY(HALF_PI)\nfill(0)\nsquare(-20, -20, 40)",
+        9,
+        "edge",
+    ),
+    "smaller than a pixel": (
+        FLAT,
+        "noStroke()\nfill(0)\ncircle(50, 50, 0.01)",
+        7,
+        "smaller than a pixel",
+    ),
     "same colour": (FLAT, "noStroke()\nrect(9, 9, 50, 50)", 6, "same colour, 255, 255, 255"),
     "same stroke": (FLAT, "noFill()\nstroke(255)\ncircle(50, 50, 30)", 7, "same colour"),
-    "blend mode": (FLAT, "blendMode(ADD)\nnoStroke()\nfill(200)\nrect(9, 9, 50, 50)", 8, "blendMode(ADD)"),
+    "blend mode": (
+        FLAT,
+        "blendMode(ADD)\nnoStroke()\nfill(200)\nrect(9, 9, 50, 50)",
+        8,
+        "blendMode(ADD)",
+    ),
     "NaN": (FLAT, "circle(float('nan'), 50, 20)", 5, "NaN"),
-    "NaN of a vertex": (FLAT, "beginShape()\nfor i in range(4):\n    vertex(float('nan'), i)\nendShape()", 8, "NaN"),
+    "NaN of a vertex": (
+        FLAT,
+        "beginShape()\nfor i in range(4):\n    vertex(float('nan'), i)\nendShape()",
+        8,
+        "NaN",
+    ),
     "NaN in the matrix": (SOLID, "translate(float('nan'), 0)\nbox(20)", 6, "NaN"),
-    "painted over": (FLAT, "rect(9, 9, 50, 50)\nfill(255)\nnoStroke()\nrect(0, 0, width, height)", 5, "line 8: rect(0, 0"),
-    "background after it": (FLAT, "rect(9, 9, 50, 50)\nbackground(255)", 5, "line 6: background(255)"),
-    "clip": (FLAT, "clip(0, 0, 10, 10)\nrect(50, 50, 50, 50)", 6, "clip(), which lets through 10 x 10"),
+    "painted over": (
+        FLAT,
+        "rect(9, 9, 50, 50)\nfill(255)\nnoStroke()\nrect(0, 0, width, height)",
+        5,
+        "line 8: rect(0, 0",
+    ),
+    "background after it": (
+        FLAT,
+        "rect(9, 9, 50, 50)\nbackground(255)",
+        5,
+        "line 6: background(255)",
+    ),
+    "clip": (
+        FLAT,
+        "clip(0, 0, 10, 10)\nrect(50, 50, 50, 50)",
+        6,
+        "clip(), which lets through 10 x 10",
+    ),
     "depth": (
         SOLID,
         "noStroke()\nrect(-200, -200, 600, 600)\nfill(9)\ntranslate(100, 75, -20)\nbox(20)",
@@ -67,12 +127,27 @@ HIDDEN = {
         "behind sketch.py, line 6",
     ),
     "transparent image": (IMAGE, "image(img, 9, 9)", 5, "image is transparent"),
-    "canvas never shown": (CANVAS, "with pg:\n    pg.circle(20, 20, 20)", 6, "never shown: image(pg"),
+    "canvas never shown": (
+        CANVAS,
+        "with pg:\n    pg.circle(20, 20, 20)",
+        6,
+        "never shown: image(pg",
+    ),
     "empty canvas": (CANVAS, "with pg:\n    pg.push()\nimage(pg, 9, 9)", 7, "pg is transparent"),
-    "beside its canvas": (CANVAS, "with pg:\n    pg.circle(99, 20, 9)\nimage(pg, 9, 9)", 6, "right of its canvas"),
+    "beside its canvas": (
+        CANVAS,
+        "with pg:\n    pg.circle(99, 20, 9)\nimage(pg, 9, 9)",
+        6,
+        "right of its canvas",
+    ),
     "kept shape": (SHAPE, "shape(s, 500, 10)", 5, "right of the window"),
-    "in a loop": (FLAT, "for i in range(30):\n    circle(300 + i, 10, 5)", 6, "nor do the 29 others"),
-}  # fmt: skip # a table
+    "in a loop": (
+        FLAT,
+        "for i in range(30):\n    circle(300 + i, 10, 5)",
+        6,
+        "nor do the 29 others",
+    ),
+}
 
 
 @pytest.mark.parametrize(("setup", "draw", "line", "text"), HIDDEN.values(), ids=HIDDEN.keys())
@@ -135,14 +210,17 @@ SILENT = {
     "background alone": (FLAT, "pass"),
     "shapes that show": (FLAT, "rect(9, 9, 50, 50)"),
     "one shape over all": (FLAT, "noStroke()\nfill(255, 0, 0)\nrect(0, 0, width, height)"),
-    "set pixels": (FLAT, "loadPixels()\nfor i in range(30000):\n    pixels[i] = color(3, 4, 5)\nupdatePixels()"),
+    "set pixels": (
+        FLAT,
+        "loadPixels()\nfor i in range(30000):\n    pixels[i] = color(3, 4, 5)\nupdatePixels()",
+    ),
     "inside of a box": (SOLID, "noStroke()\nfill(9, 9, 200)\ntranslate(100, 75, 130)\nbox(900)"),
     "flat canvas over all": (
         "size(200, 150); global pg; pg = createGraphics(200, 150)",
         "with pg:\n    pg.background(255, 0, 0)\nimage(pg, 0, 0)",
     ),
     "one pixel": (FLAT, "noStroke()\nfill(0)\nrect(100, 70, 1, 1)\nrect(-50, 0, 10, 10)"),
-}  # fmt: skip # a table
+}
 
 
 @pytest.mark.parametrize(("setup", "draw"), SILENT.values(), ids=SILENT.keys())

@@ -288,7 +288,14 @@ def test_hidden_by_clip_and_by_alpha_are_told_apart(tmp_path: Path) -> None:
 
 
 def test_smooth_edge_belongs_to_whom_most_of_its_samples_show(tmp_path: Path) -> None:
-    text = "size(100, 100, P2D)\nbackground(255)\nnoStroke()\ntranslate({x}, 0)\nrotate(0.0001)\nrect(0, 0, 50, 90)\n"
+    text = """\
+        size(100, 100, P2D)
+        background(255)
+        noStroke()
+        translate({x}, 0)
+        rotate(0.0001)
+        rect(0, 0, 50, 90)
+        """
 
     [mostly] = looked_at(tmp_path, text.format(x=10.1), (10, 50), frame=0)
     [hardly] = looked_at(tmp_path, text.format(x=10.7), (10, 50), frame=0)

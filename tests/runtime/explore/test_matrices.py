@@ -19,12 +19,15 @@ START = mat.IDENTITY
         (mat.rotate_x(START, pi), "turned by 180 degrees about x"),
         (mat.scale(START, 2, 2, 2), "scaled by 2"),
         (mat.scale(START, 1, -1), "scaled by (1, -1)"),
-        (mat.scale(mat.rotate_y(START, pi / 4), 2, 3), "turned by 45 degrees about y, scaled by (2, 3)"),
+        (
+            mat.scale(mat.rotate_y(START, pi / 4), 2, 3),
+            "turned by 45 degrees about y, scaled by (2, 3)",
+        ),
         (mat.shear_x(START, pi / 4), "sheared, or turned after an uneven scale"),
         (mat.scale(START, 0, 0), "squeezed to nothing (a scale of 0)"),
         (mat.translate(START, float("nan"), 0), "holds numbers that are none (NaN or infinite)"),
     ],
-)  # fmt: skip # a table
+)
 def test_matrix_is_said_in_the_words_of_the_calls(matrix: mat.Affine, words: str) -> None:
     assert in_words(matrix) == words
 
