@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
+from typing import ClassVar
 
 import numpy as np
-from typing import ClassVar
 
 from sketchkit.draw.commands import Draw, DrawList, DrawMesh
 from sketchkit.draw.meshes import Mesh

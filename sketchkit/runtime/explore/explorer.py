@@ -214,8 +214,11 @@ class SketchExplorer:
     def show_numbers(self) -> None:
         """Show the numbers of the sketch, or no longer."""
         self.toggle("numbers")
-        if self._modes.numbers and self._tweaks is None and self._loop is not None:
-            self._tweaks, self._chosen = Tweaks(self._loop.program), 0
+        if not self._modes.numbers or self._loop is None:
+            return
+        program = self._loop.program
+        if self._tweaks is None or not self._tweaks.is_of(program):
+            self._tweaks, self._chosen = Tweaks(program), 0
 
     # Frames
 

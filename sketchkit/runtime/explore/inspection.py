@@ -130,9 +130,11 @@ def look(program: Program, log: FrameLog, place: Place, frame: int) -> Inspectio
     canvas = program.sketch.canvas
     width, height = canvas.width, canvas.height
     picture = canvas.image_data()
-    red, green, blue, alpha = picture[place[1], place[0]].tolist()
+    density = picture.shape[1] // width  # pixels for each unit of the sketch, along a side
+    column, row = (at * density + density // 2 for at in place)
+    red, green, blue, alpha = picture[row, column].tolist()
     around = surroundings(program)
-    found = history(log, canvas.target, place)
+    found = history(log, canvas.target, (column, row))
     inner = _inner(log, found.answer, around, frame)
     color = red, green, blue, alpha
     return Inspection(place, (width, height), frame, color, found, log, around, inner)

@@ -39,6 +39,12 @@ class Scenery:
         return self.program.sketch.canvas.target
 
     @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in the sketch's own units."""
+        canvas = self.program.sketch.canvas
+        return canvas.width, canvas.height
+
+    @property
     def lists(self) -> list[DrawList]:
         """What was drawn in the last frame, and before it if there was no `background()`."""
         return [step.commands for step in self.log.steps.values()]
@@ -59,12 +65,12 @@ class Scenery:
     @property
     def distance(self) -> float:
         """How far the middle of the picture is from the usual camera."""
-        return float(eye_distance(self.target.height, DEFAULT_FOV))
+        return float(eye_distance(self.size[1], DEFAULT_FOV))
 
     @property
     def own_view(self) -> View:
         """The sketch's own camera."""
-        size = self.target.width, self.target.height
+        size = self.size
         is_3d = self.stage is not None and self.stage.is_3d
         return View.of(size, self.distance, is_3d=is_3d)
 
@@ -99,7 +105,7 @@ class Scenery:
             yield from self._gizmos(stage, view)
 
     def _gizmos(self, stage: Stage, view: View) -> Iterable[gizmos.Lines]:
-        width, height = self.target.width, self.target.height
+        width, height = self.size
         camera = surroundings(self.program).camera
         yield from gizmos.axes(camera, stage.projection, height / 2)
         if not stage.is_3d:

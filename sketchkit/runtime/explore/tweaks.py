@@ -82,6 +82,10 @@ class Tweaks:
         self._source = program.source
         self.numbers = list(_numbers(self._source))
 
+    def is_of(self, program: Program) -> bool:
+        """Whether these are the numbers of the text that a sketch runs now."""
+        return program is self._program and program.source is self._source
+
     def label(self, number: Number) -> str:
         """Return the line of the sketch with a number as it is now, marked."""
         encoded = self._source.line(number.line).encode()
