@@ -24,6 +24,7 @@ from sketchkit.draw.stage import Stage
 from sketchkit.runtime.explore.noting import Chain, Notes
 
 MOST_KEPT = 4_000_000  # vertices, of all canvases: what is older is forgotten
+CANVAS_SIZE = 2000  # vertices: what it counts to keep a canvas that is drawn on another one
 VERTEX_BYTES = 64  # about: so many bytes of pixels count as a vertex
 
 _Made = TypeVar("_Made")
@@ -97,7 +98,14 @@ class Step(NamedTuple):
         """How much room it takes, in vertices."""
         pixels = (own.data.nbytes for own in self.commands.commands if isinstance(own, Upload))
         vertices = (len(block.positions) for block in self.commands.blocks.values())
-        return sum(vertices) + sum(pixels) // VERTEX_BYTES
+        return sum(vertices) + sum(pixels) // VERTEX_BYTES + CANVAS_SIZE * len(self.canvases)
+
+    @property
+    def canvases(self) -> set[Target]:
+        """The canvases whose pictures it shows; as long as it is kept, they are."""
+        draws = (own for own in self.commands.commands if isinstance(own, Draw | DrawMesh))
+        shown = (own.pipeline.texture for own in draws)
+        return {texture for texture in shown if isinstance(texture, Target)}
 
 
 @dataclass
@@ -257,7 +265,15 @@ class FrameLog:
         return next(own, -1)
 
     def _drop_unused(self) -> None:
-        """Forget the steps that are on no canvas any more."""
+        """Forget the steps that are on no canvas any more.
+
+        While nobody inspects, also the canvases that the last frame has neither drawn nor shown.
+        """
+        if self.limit < MOST_KEPT:
+            recent = [step for step in self.steps.values() if step.frame >= self.frame - 1]
+            shown = {target for step in recent for target in (*step.surfaces, *step.canvases)}
+            for target in [target for target in self.histories if target not in shown]:
+                del self.histories[target]
         used = {serial for history in self.histories.values() for serial, _ in history.moments}
         for serial in [serial for serial in self.steps if serial not in used]:
             self._size -= self.steps.pop(serial).size

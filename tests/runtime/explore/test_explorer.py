@@ -284,3 +284,31 @@ def test_nothing_is_kept_of_frames_that_are_covered(tmp_path: Path) -> None:
         at.step(20)
 
         assert len(at.explorer._log.steps) == steps
+
+
+def test_canvases_that_are_made_anew_each_frame_are_let_go(tmp_path: Path) -> None:
+    text = """\
+        def setup():
+            size(50, 50)
+        def draw():
+            pg = createGraphics(20, 20)
+            with pg:
+                pg.circle(10, 10, 10)
+            image(pg, frameCount, 0)
+        """
+    with stand(tmp_path, text) as at:
+        at.step(200)
+
+        assert len(at.explorer._log.histories) < 40
+
+
+def test_explorer_lets_go_of_a_sketch(tmp_path: Path) -> None:
+    with stand(tmp_path, FLAT) as at:
+        at.step()
+        renderer = at.explorer._renderer
+        assert renderer is not None
+
+        at.explorer.end()
+
+        assert renderer.readers == []
+        assert at.explorer.picture(at.loop.program.sketch.canvas.target).width == 200
