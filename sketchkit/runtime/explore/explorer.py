@@ -33,7 +33,7 @@ from sketchkit.runtime.loop import Loop
 KEPT_ALWAYS = 50_000  # vertices of past frames, while nobody looks
 FIRST_CHECK = 2  # frames, until it is looked at whether anything shows
 NOTED_FRAMES = 2  # at the beginning, so that a sketch that stands still can be inspected
-TOLD_S = 12.0  # how long a remark stays in the window
+TOLD_S = 60.0  # how long a remark stays in the window, if no key is pressed, and no button
 FRAMES_SHOWN = 120
 F1 = 112  # keyCode
 
@@ -117,6 +117,8 @@ class SketchExplorer:
 
     def handles(self, event: AnyEvent) -> bool:
         """Take an event; return whether the sketch does not get it."""
+        if isinstance(event, KeyEvent | MouseEvent) and event.action == KeyEvent.PRESS:
+            self._remark = None
         match event:
             case KeyEvent(key=key, keyCode=code) if key == CODED and F1 <= code < F1 + 12:
                 if event.action == KeyEvent.PRESS and (act := KEYS.get(code - F1 + 1)):

@@ -80,7 +80,8 @@ class Tweaks:
     def __init__(self, program: Program) -> None:
         self._program = program
         self._source = program.source
-        self.numbers = list(_numbers(self._source))
+        found = _numbers(self._source)
+        self.numbers = sorted(found, key=lambda own: (own.line, own.column))
 
     def is_of(self, program: Program) -> bool:
         """Whether these are the numbers of the text that a sketch runs now."""

@@ -276,6 +276,9 @@ def test_picture_without_anything_is_told_once_and_shown(tmp_path: Path, loops: 
         assert [(line, "left of the window" in said) for _, line, said in remarks] == [(4, True)]
         assert (at.shown() != at.own()).any()
 
+        at.press("a")
+        assert not at.explorer.has_overlay
+
 
 def test_nothing_is_kept_of_frames_that_are_covered(tmp_path: Path) -> None:
     with stand(tmp_path, FLAT) as at:
