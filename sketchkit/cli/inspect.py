@@ -10,6 +10,7 @@ from pathlib import Path
 import click
 
 from sketchkit.cli import say
+from sketchkit.cli.python_mode import python_mode
 from sketchkit.cli.sketch_file import sketch_file
 from sketchkit.runtime.backends import RENDERERS, RendererError, open_backend
 from sketchkit.runtime.explore.inspection import OutsideError, as_value, inspect, report
@@ -57,6 +58,7 @@ def pixel(text: str) -> tuple[int, int]:
     help="Replay mouse and keys from an events file.",
 )
 @click.option("--renderer", type=click.Choice(RENDERERS), help="What draws.")
+@python_mode
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
 @click.option("--traceback", is_flag=True, help="Show all that Python says about a mistake.")
 def command(  # noqa: PLR0913 # click hands over each option
@@ -66,6 +68,7 @@ def command(  # noqa: PLR0913 # click hands over each option
     seed: int,
     events: Path | None,
     renderer: str | None,
+    python: int | None,
     as_json: bool,
     traceback: bool,
 ) -> None:
@@ -77,7 +80,7 @@ def command(  # noqa: PLR0913 # click hands over each option
     try:
         replay = read_replay(events) if events else Replay()
         backend = open_backend(renderer).backend
-        launch = Launch(sketch, say.remark, seed, replay=replay)
+        launch = Launch(sketch, say.remark, seed, replay=replay, python=python)
         found = inspect(launch, frame, pixels, backend)
     except (EventsError, OutsideError) as problem:
         say.note(str(problem))
