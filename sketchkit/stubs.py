@@ -14,12 +14,11 @@ from typing import get_overloads
 
 from sketchkit.api.graphics import PGraphics
 from sketchkit.api.live import live_names
-from sketchkit.api.names import groups_of
 from sketchkit.api.sketch import Sketch
 from sketchkit.backends.listing import ListingBackend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
-from sketchkit.libraries.built_in import BUILT_IN
+from sketchkit.runtime.visible_names import all_groups
 
 HEADER = '''\
 """The names that a sketch sees without importing them. Written by sketchkit: do not edit."""
@@ -99,8 +98,7 @@ def stub() -> str:
     sketch = blank_sketch()
     imports = Imports()
     parts = []
-    groups = groups_of(sketch) | {"libraries": dict(BUILT_IN)}
-    for group, names in groups.items():
+    for group, names in all_groups(sketch).items():
         parts.append(f"\n# {group}\n")
         for name, value in sorted(names.items()):
             if name not in AS_IN_PYTHON:

@@ -3,8 +3,8 @@ import builtins
 
 import pytest
 
-from sketchkit.api.names import live_values, names_of
-from sketchkit.libraries.built_in import BUILT_IN
+from sketchkit.api.names import live_values
+from sketchkit.runtime.visible_names import all_names
 from sketchkit.stubs import blank_sketch, stub
 
 
@@ -43,7 +43,7 @@ def definition(tree: ast.Module, name: str) -> ast.FunctionDef:
 
 
 def test_every_name_of_a_sketch_is_declared(tree: ast.Module) -> None:
-    seen = names_of(blank_sketch()) | BUILT_IN
+    seen = all_names(blank_sketch())
 
     assert seen.keys() - {"open"} == declared(tree)
 

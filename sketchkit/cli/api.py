@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import click
 
-from sketchkit.api.names import names_of
 from sketchkit.cli.api_name import UnknownNameError, described
 from sketchkit.reference.standing import Entry, Standing, entries
+from sketchkit.runtime.visible_names import all_names
 from sketchkit.stubs import blank_sketch
 
 TIERS = {
@@ -36,7 +36,7 @@ def command(name: str | None, missing: bool, as_json: bool) -> None:
     if name is not None:
         _describe(name)
         return
-    found = list(entries(names_of(blank_sketch())))
+    found = list(entries(all_names(blank_sketch())))
     if as_json:
         click.echo(json.dumps(as_data(found, only_missing=missing), indent=1))
         return

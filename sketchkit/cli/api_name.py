@@ -7,11 +7,11 @@ import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple, get_overloads
 
-from sketchkit.api.names import names_of
 from sketchkit.api.sketch import Sketch
 from sketchkit.core.errors import nearest
 from sketchkit.reference.instead import BY_ITSELF, instead_of
 from sketchkit.reference.names import every_name, names_by_owner
+from sketchkit.runtime.visible_names import all_names
 from sketchkit.stubs import blank_sketch
 
 WIDTH = 92  # characters of a line
@@ -48,7 +48,7 @@ def described(name: str) -> Iterator[str]:
         If there is none such.
     """
     sketch = blank_sketch()
-    names = names_of(sketch)
+    names = all_names(sketch)
     found = list(_found(name.strip().removesuffix("()"), sketch, names))
     if not found:
         raise UnknownNameError(_not_here(name.strip().removesuffix("()"), names))

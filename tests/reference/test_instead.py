@@ -5,7 +5,6 @@ from functools import cache
 
 import pytest
 
-from sketchkit.api.names import names_of
 from sketchkit.reference.instead import (
     BY_ITSELF,
     EVERY,
@@ -16,6 +15,7 @@ from sketchkit.reference.instead import (
 )
 from sketchkit.reference.names import names_by_owner
 from sketchkit.reference.standing import HANDLERS
+from sketchkit.runtime.visible_names import all_names
 from sketchkit.stubs import blank_sketch
 
 # Names in sentences that are no functions of a sketch: parts of Python, and of packages.
@@ -31,7 +31,7 @@ OF_PYTHON = frozenset(
 
 @cache
 def names() -> dict[str, object]:
-    return names_of(blank_sketch())
+    return all_names(blank_sketch())
 
 
 def test_sentence_of_a_name_is_found() -> None:
