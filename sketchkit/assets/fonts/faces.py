@@ -35,7 +35,7 @@ LARGEST = 512  # px; the shapes of larger text are made at this size, and enlarg
 MOST_FACES = 256  # that are kept; a sketch may set text in a new size in each frame
 MOST_ATLASES = 32  # of faces at the sizes they were made for
 MOST_IMAGES = 4  # of letters at other sizes; when more are needed, all of these are given up
-MOST_LINES = 2048  # whose layout is kept, for each face: of short ones, 2 kB each
+MOST_LINES = 2048  # whose layout is kept, of all faces: of short ones, 2 kB each
 LAST_UNIT = "\uffff"  # the last character that is one for Java; those behind are two
 NOTICEABLE = 1.5  # times larger: Processing's own pixels up to here, where its blur hardly shows
 
@@ -101,13 +101,14 @@ class Setting(NamedTuple):
 class Face:
     """A face in a setting. Widths are those of the size of the text, wherever letters come from."""
 
-    def __init__(self, setting: Setting, atlas: GlyphAtlas) -> None:
+    def __init__(self, setting: Setting, atlas: GlyphAtlas, layouts: Layouts) -> None:
         self.setting = setting
         self._letters = letters_of(setting.typeface)
         self._atlas = atlas
         self._advances: dict[str, float] = {}
         self._widths: dict[str, float] = {}
-        self._lines: dict[str, Line] = {}
+        self._layouts = layouts
+        self._lines = layouts.of_a_face()
 
     def width(self, text: str) -> float:
         """Return how wide a line of text is: the sum of its letters and their kerning."""
@@ -152,9 +153,7 @@ class Face:
             composed = text if self.setting.is_hinted else normalize("NFC", text)
             self.place(composed)
             line = self._lay_out(composed)
-            if len(self._lines) >= MOST_LINES:
-                self._lines.clear()
-            self._lines[text] = line
+            self._layouts.keep(self._lines, text, line)
         return line
 
     def place(self, text: str) -> None:
@@ -214,6 +213,28 @@ class Face:
         )
 
 
+class Layouts:
+    """The lines that were laid out, of all faces; when there are many, all are forgotten."""
+
+    def __init__(self) -> None:
+        self._all: list[dict[str, Line]] = []
+        self._count = 0
+
+    def of_a_face(self) -> dict[str, Line]:
+        """Return room for the lines of one face."""
+        self._all.append({})
+        return self._all[-1]
+
+    def keep(self, lines: dict[str, Line], text: str, line: Line) -> None:
+        """Keep a line of a face."""
+        if self._count >= MOST_LINES:
+            self._count = 0
+            for every in self._all:
+                every.clear()
+        lines[text] = line
+        self._count += 1
+
+
 class Fonts:
     """The faces of one sketch, and the images in which their letters lie.
 
@@ -225,6 +246,7 @@ class Fonts:
         self._atlases: dict[tuple[Typeface, int], GlyphAtlas] = {}
         self._shared = GlyphAtlas()
         self._faces: dict[Setting, Face] = {}
+        self._layouts = Layouts()
 
     def face(self, typeface: Typeface, made_at: int, size: float) -> Face:
         """Return a face whose letters are enlarged from the size it was made for."""
@@ -238,7 +260,7 @@ class Fonts:
         if found is None:
             if len(self._faces) > MOST_FACES or len(self._atlases) > MOST_ATLASES:
                 self._forget()
-            found = self._faces[setting] = Face(setting, self._atlas(setting))
+            found = self._faces[setting] = Face(setting, self._atlas(setting), self._layouts)
             found.place(letters_of(setting.typeface).made_at_once)
         return found
 
@@ -257,6 +279,7 @@ class Fonts:
         if len(self._atlases) > MOST_ATLASES:
             self._atlases.clear()
         self._faces.clear()
+        self._layouts = Layouts()
 
 
 _fonts: weakref.WeakKeyDictionary[object, Fonts] = weakref.WeakKeyDictionary()
