@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from sketchkit.libraries.peasycam import PeasyCam
+from sketchkit.libraries import peasycam
 
-BUILT_IN: dict[str, type] = {"PeasyCam": PeasyCam}
+BUILT_IN: dict[str, type] = {name: getattr(peasycam, name) for name in peasycam.__all__}

@@ -18,7 +18,6 @@ from sketchkit.libraries.peasycam.placing import Placing
 from sketchkit.libraries.peasycam.rig import Rig
 
 USAGE = "distance | x, y, z, distance"
-VERSION = "302"  # of the library whose behaviour this is
 
 
 class PeasyCam(Placing, Control):
@@ -52,6 +51,8 @@ class PeasyCam(Placing, Control):
     >>> cam.rotateX(-0.5)
     >>> box(60)
     """
+
+    VERSION = "302"  # of the library whose behaviour this is
 
     def __init__(self, *args: object) -> None:
         sketch, canvas, rest = _owners(args)
@@ -125,10 +126,11 @@ class PeasyCam(Placing, Control):
         Examples
         --------
         >>> size(100, 100, P3D)
-        >>> println(PeasyCam(this, 200).version())
-        302
+        >>> cam = PeasyCam(this, 200)
+        >>> println(cam.version(), PeasyCam.VERSION)
+        302 302
         """
-        return VERSION
+        return self.VERSION
 
     def beginHUD(self) -> None:
         """Draw flat from now on, before everything and without lights: x and y are pixels.

@@ -23,7 +23,14 @@ class PeasyDragHandler:
     """
 
     def handleDrag(self, dx: float, dy: float) -> None:
-        """Take how far the mouse has moved since the last event, in pixels."""
+        """Take how far the mouse has moved since the last event, in pixels.
+
+        Examples
+        --------
+        >>> size(100, 100, P3D)
+        >>> cam = PeasyCam(this, 200)
+        >>> cam.getPanDragHandler().handleDrag(10, 0)
+        """
         raise NotImplementedError
 
 
@@ -42,7 +49,14 @@ class PeasyWheelHandler:
     """
 
     def handleWheel(self, delta: int) -> None:
-        """Take the notches, positive towards the user."""
+        """Take the notches, positive towards the user.
+
+        Examples
+        --------
+        >>> size(100, 100, P3D)
+        >>> cam = PeasyCam(this, 200)
+        >>> cam.getZoomWheelHandler().handleWheel(1)
+        """
         raise NotImplementedError
 
 
