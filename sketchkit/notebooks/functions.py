@@ -12,14 +12,15 @@ from __future__ import annotations
 import builtins
 import inspect
 import linecache
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import FunctionType
 
-from sketchkit.api.names import names_of
+from sketchkit.api.names import live_values, names_of
 from sketchkit.api.sketch import Sketch
 from sketchkit.core import running
 from sketchkit.libraries.built_in import BUILT_IN
+from sketchkit.reference.standing import HANDLERS
 from sketchkit.runtime.adding import adder
 from sketchkit.runtime.loader import FLAGS, Names, Program, Tell
 from sketchkit.runtime.source import Source
@@ -41,12 +42,13 @@ class FunctionsProgram(Program):
     def __init__(self, functions: Mapping[str, object], sketch: Sketch, tell: Tell) -> None:
         super().__init__(Source(Path.cwd() / CELL, b""), sketch, tell)
         self.namespace = dict(functions)
-        self._spaces = _namespaces(functions.values())
+        self._spaces = _namespaces(functions)
         self._own = names_of(sketch) | BUILT_IN | {"add_library": adder(vars(builtins))}
         self.names = vars(builtins)
         lasting = list(self._running.lasting)
-        self._running = running.Running(vars(builtins) | self._own, lasting)
-        self.sources = {name: _source(name) for name in _filenames(functions.values())}
+        self._seen = vars(builtins) | self._own
+        self._running = running.Running(self._seen, lasting)
+        self.sources = {name: _source(name) for name in _filenames(self._spaces)}
         for name in FLAGS:
             handler = self.namespace.pop(name, None)
             if isinstance(handler, FunctionType):
@@ -58,8 +60,9 @@ class FunctionsProgram(Program):
 
     def publish(self) -> None:
         """Bring the live values up to date."""
-        super().publish()
-        self._running.names = vars(builtins) | self._own
+        values = live_values(self.sketch)
+        self.names.update(values)
+        self._seen.update(values)
 
     def __enter__(self) -> Program:
         """Let the functions see the names of a sketch."""
@@ -90,24 +93,25 @@ def _keep_own(space: Names, lent: set[str]) -> None:
         space.pop(name, None)
 
 
-def _functions(values: Iterable[object]) -> Iterator[FunctionType]:
-    """Yield functions, and the methods of classes among the values."""
-    for value in values:
-        if isinstance(value, type):
-            yield from (each for each in vars(value).values() if isinstance(each, FunctionType))
-        elif isinstance(
-            function := inspect.unwrap(value) if callable(value) else value, FunctionType
-        ):
-            yield function
+def _namespaces(functions: Mapping[str, object]) -> list[Names]:
+    """Return where the sketch's own functions have been defined; each place once.
+
+    What else is in a namespace may come from anywhere: those modules are no part of the sketch.
+    """
+    handlers = (inspect.unwrap(f) for n, f in functions.items() if n in HANDLERS and callable(f))
+    spaces = (each.__globals__ for each in handlers if isinstance(each, FunctionType))
+    return list({id(space): space for space in spaces}.values())
 
 
-def _namespaces(values: Iterable[object]) -> list[Names]:
-    """Return where the functions have been defined; each place once."""
-    return list({id(each.__globals__): each.__globals__ for each in _functions(values)}.values())
-
-
-def _filenames(values: Iterable[object]) -> set[str]:
-    return {each.__code__.co_filename for each in _functions(values)}
+def _filenames(spaces: Iterable[Names]) -> set[str]:
+    """Return the files, or a notebook's cells, in which functions and methods were written."""
+    return {
+        function.__code__.co_filename
+        for space in spaces
+        for value in space.values()
+        for function in (vars(value).values() if isinstance(value, type) else [value])
+        if isinstance(function, FunctionType) and function.__globals__ is space
+    }
 
 
 def _source(filename: str) -> Source:

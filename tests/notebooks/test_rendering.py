@@ -155,6 +155,20 @@ def test_flags_are_values_though_functions_have_their_names() -> None:
     assert callable(namespace["keyPressed"])
 
 
+def test_modules_of_others_are_left_alone() -> None:
+    text = "from textwrap import dedent\ndef draw(): assert 'map' not in dedent.__globals__"
+
+    render(cell(text))
+
+
+def test_live_values_are_seen_through_the_package() -> None:
+    text = "import sketchkit\ndef draw(): background(sketchkit.frameCount, 0, 0)"
+
+    (picture,) = render(cell(text), frames=6)
+
+    assert picture[0, 0].tolist() == [6, 0, 0]
+
+
 def test_added_library_is_gone_afterwards() -> None:
     text = "def setup():\n    add_library('peasycam')\n    global kind\n    kind = CameraState"
     namespace = cell(text)
