@@ -87,6 +87,7 @@ def command(  # noqa: PLR0913 # click hands over each option
             Manner(args, inputs, not no_reload, keep_state, python),
             tell=say.remark,
             say=lambda report: say.mistake(report, with_traceback=traceback),
+            note=say.note,
             explorer=NoExplorer() if no_explore else SketchExplorer(say.remark),
         )
         is_well = player.play()

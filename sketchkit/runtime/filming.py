@@ -14,7 +14,7 @@ from sketchkit.assets.movies.encoder import MovieError
 from sketchkit.assets.movies.movie import Movie
 from sketchkit.draw.vertex import U8
 
-KEY_CODE = 120  # F9: hardly a sketch uses it
+KEY_CODE = 115  # F4: hardly a sketch uses it
 
 
 class Filming:
@@ -33,7 +33,7 @@ class Filming:
         self._say = say
         self._movie: Movie | None = None
         self._start_s = 0.0
-        self._last: U8 | None = None  # frame, which is shown until the next
+        self._last: U8 | None = None  # frame, shown until the next: it is not in the film yet
 
     @property
     def is_on(self) -> bool:
@@ -52,14 +52,12 @@ class Filming:
         movie = self._movie
         if movie is None:
             return
-        if movie.frame_count == 0:
+        if self._last is None:
             self._start_s, self._last = now_s, pixels
         place = round((now_s - self._start_s) * movie.fps)
         try:
-            while self._last is not None and movie.frame_count < place:
+            while movie.frame_count < place:
                 movie.add(self._last)
-            if movie.frame_count == place:
-                movie.add(pixels)
             self._last = pixels
         except (MovieError, OSError) as problem:
             self._give_up(movie, problem)
@@ -69,9 +67,12 @@ class Filming:
         movie, self._movie = self._movie, None
         if movie is None:
             return
+        last, self._last = self._last, None
         try:
+            if last is not None:
+                movie.add(last)
             remark = movie.finish()
-        except OSError as problem:
+        except (MovieError, OSError) as problem:
             self._give_up(movie, problem)
             return
         seconds = movie.frame_count / movie.fps
@@ -87,7 +88,7 @@ class Filming:
         self._say(f"Filming {path.name}. The same key ends it.")
 
     def _give_up(self, movie: Movie, problem: Exception) -> None:
-        self._movie = None
+        self._movie = self._last = None
         movie.give_up()
         reason = problem.strerror if isinstance(problem, OSError) else str(problem)
         self._say(f"{movie.path.name} cannot be written: {reason}.")

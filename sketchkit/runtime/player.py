@@ -20,6 +20,7 @@ from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.runtime.events import AnyEvent
 from sketchkit.runtime.explorer import Explorer, NoExplorer
+from sketchkit.runtime.filming import KEY_CODE, Filming
 from sketchkit.runtime.headless import Launch, opened
 from sketchkit.runtime.inputs import Inputs, Live
 from sketchkit.runtime.loader import Tell, seed_everything
@@ -123,11 +124,13 @@ class Player:
         Called with file, line and text of each remark.
     say : callable
         Called with each mistake.
+    note : callable
+        Called with what becomes of a film.
     explorer : Explorer, optional
         What looks at the sketch while it runs.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 # one place calls it
         self,
         path: Path,
         screen: Screen,
@@ -135,6 +138,7 @@ class Player:
         *,
         tell: Tell,
         say: Callable[[Report], None],
+        note: Callable[[str], None] = print,
         explorer: Explorer = NO_EXPLORER,
     ) -> None:
         self._path = path.absolute()  # a sketch is run in its own folder
@@ -144,6 +148,7 @@ class Player:
         self._tell = tell
         self._say = say
         self._explorer = explorer
+        self._filming = Filming(self._path.parent, note)
         self._picture: Target | None = None
         self._overlay, self._panel = Overlay(screen.backend), Overlay(screen.backend)
         self._mistake: Report | None = None
@@ -180,6 +185,7 @@ class Player:
                 ending = self._go_on(Run(loop, clock, Pacer(self._screen.now())))
                 loop.end()
             finally:
+                self._filming.stop()
                 self._watch.add([*loop.program.files, *files_read()])
                 self._explorer.end()
         return ending
@@ -188,7 +194,7 @@ class Player:
         loop, screen, inputs = run.loop, self._screen, self._manner.inputs
         while not (screen.is_closed or loop.is_finished):
             for event in screen.wait(self._wait_s(run)):
-                if not self._explorer.handles(event):
+                if not (self._explorer.handles(event) or self._toggles_film(event, run)):
                     for heard in inputs.take(event, run.frame + 1):
                         loop.post(heard)
             if self._must_begin_anew(loop):
@@ -200,6 +206,21 @@ class Player:
             elif not (self._is_moving(run) and run.pacer.wait_s(screen.now())):
                 self._take_frame(run)
         return Ending.CLOSED
+
+    def _toggles_film(self, event: AnyEvent, run: Run) -> bool:
+        """Begin or end a film if that is what a key means; the sketch does not hear of it."""
+        if not (isinstance(event, KeyEvent) and event.keyCode == KEY_CODE):
+            return False
+        if event.action == KeyEvent.PRESS and not event.is_repeat:
+            self._film(run)  # the last frame is shown until now
+            self._filming.toggle(run.loop.program.sketch.progress.wanted_rate)
+            self._film(run)
+        return True
+
+    def _film(self, run: Run) -> None:
+        """Add the sketch's own picture to the film, if one is being made."""
+        if self._filming.is_on:
+            self._filming.add(run.loop.program.sketch.canvas.image_data(), self._screen.now())
 
     def _is_moving(self, run: Run) -> bool:
         """Return whether frames follow one another by themselves."""
@@ -217,6 +238,7 @@ class Player:
         is_new = run.step(self._manner.inputs)
         if is_new:
             self._screen.pace(progress.wanted_rate)
+            self._film(run)
         if is_new or self._screen.is_damaged or self._explorer.has_overlay:
             self._show_picture()
         if not self._is_moving(run):

@@ -10,11 +10,13 @@ import pytest
 
 from sketchkit.api.events import KeyEvent
 from sketchkit.api.host import NoWindow
+from sketchkit.backends.cpu.executor import CpuBackend
 from sketchkit.backends.listing import ListingBackend
 from sketchkit.core.constants import ESC
 from sketchkit.core.errors import SketchError
 from sketchkit.draw.resources import Target
 from sketchkit.draw.shading import ShaderSource
+from sketchkit.runtime import filming
 from sketchkit.runtime.events import AnyEvent
 from sketchkit.runtime.explorer import Explorer, NoExplorer
 from sketchkit.runtime.headless import Launch, render
@@ -23,6 +25,7 @@ from sketchkit.runtime.mouse import Mouse
 from sketchkit.runtime.player import PLAIN, Manner, Player
 from sketchkit.runtime.replay import replay_of
 from sketchkit.runtime.report import Report
+from tests.assets.movies.films import pictures
 from tests.runtime.sketches import Remarks, written
 
 NO_EXPLORER = NoExplorer()
@@ -116,6 +119,46 @@ def test_frameRate_is_measured(tmp_path: Path) -> None:
     play(sketch, FakeScreen(closes_s=6.0))
 
     assert (tmp_path / "rate.txt").read_text() == "20\n"
+
+
+def test_key_films_what_is_shown_and_the_sketch_does_not_hear_of_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(filming.importlib.util, "find_spec", lambda name: None)
+    text = """
+    def setup(): frameRate(10)
+    def draw(): background(frameCount)
+    def keyPressed(): saveStrings("heard.txt", [key])
+    """
+    screen, notes = FakeScreen(closes_s=2.0), []
+    screen.backend = CpuBackend()
+    press = KeyEvent(KeyEvent.PRESS, keyCode=filming.KEY_CODE)
+    screen.plan = {0.5: lambda: [press], 1.5: lambda: [press]}
+
+    path = written(tmp_path, text)
+    Player(path, screen, tell=Remarks().tell, say=print, note=notes.append).play()
+
+    shown = [
+        (int(pixels[0, 0, 0]), lasts) for pixels, lasts in pictures(tmp_path / "movie-0001.gif")
+    ]
+    assert sum(lasts for _, lasts in shown) == pytest.approx(1000, abs=110)
+    assert [value for value, _ in shown] == list(range(shown[0][0], shown[0][0] + len(shown)))
+    assert not (tmp_path / "heard.txt").exists()
+    assert notes[0] == "Filming movie-0001.gif. The same key ends it."
+
+
+def test_film_is_whole_when_the_window_is_closed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(filming.importlib.util, "find_spec", lambda name: None)
+    screen = FakeScreen(closes_s=1.0)
+    screen.backend = CpuBackend()
+    screen.plan = {0.5: lambda: [KeyEvent(KeyEvent.PRESS, keyCode=filming.KEY_CODE)]}
+
+    path = written(tmp_path, "def draw(): background(frameCount)")
+    Player(path, screen, tell=Remarks().tell, say=print, note=lambda text: None).play()
+
+    assert len(pictures(tmp_path / "movie-0001.gif")) > 10
 
 
 def test_exit_closes_the_window(tmp_path: Path) -> None:
