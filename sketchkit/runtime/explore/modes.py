@@ -11,6 +11,7 @@ HELP = (
     "F1   this help",
     "F2   move the camera with the mouse, on or off: drag turns, right drag moves, wheel zooms",
     "F3   back to the sketch's own camera",
+    "F4   make a film of what is shown; the same key ends it",
     "F5   pause, and go on",
     "F6   one frame",
     "F7   slower, and at full speed again",
