@@ -255,13 +255,14 @@ def test_thread_runs_beside_and_its_mistake_stops_the_sketch(tmp_path: Path) -> 
         """
         import threading
         done = threading.Event()
+        others = threading.active_count()
         def work():
             done.set()
             elipse(1, 2, 3, 4)
         def setup():
             thread("work")
             done.wait()
-            while threading.active_count() > 1:
+            while threading.active_count() > others:
                 pass
         def draw():
             pass
