@@ -83,10 +83,11 @@ def remark_on(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Re
 
 
 def _remark(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Remark | None:
-    unseen = _unseen(_groups(log, around, frame) or _groups(log, around, 0), around)
+    red, green, blue = (int(channel) for channel in pixels[0, 0, :3])
+    groups = _groups(log, around, frame) or _groups(log, around, 0)
+    unseen = _unseen(groups, around, (red, green, blue))
     if not unseen:
         return None
-    red, green, blue = (int(channel) for channel in pixels[0, 0, :3])
     first, *others = unseen
     again = {1: "", 2: ", nor does the other one of this line"}.get(
         first.count, f", nor do the {first.count - 1} others of this line"
@@ -119,11 +120,19 @@ def _groups(log: FrameLog, around: Surroundings, frame: int) -> dict[Chain, tupl
     return groups
 
 
-def _unseen(groups: dict[Chain, tuple[Case, int]], around: Surroundings) -> list[Unseen]:
-    """Return the calls that do not show, without those that hide the others."""
+def _unseen(
+    groups: dict[Chain, tuple[Case, int]], around: Surroundings, color: tuple[int, int, int]
+) -> list[Unseen]:
+    """Return the calls that do not show, without those that hide the others.
+
+    None if something should show in another colour than the picture has: then nothing is drawn at
+    all, as when a sketch is traced, and nothing can be said.
+    """
     found, culprits = [], set()
     for chain, (case, count) in list(groups.items())[:MOST_CALLS]:
         reason = reason_of(case)
+        if reason.color and np.abs(np.subtract(reason.color[:3], color)).max() > 2 * ALIKE:
+            return []
         if reason.verdict is Verdict.HIDDEN and chain:
             found.append(Unseen(chain, sites(chain, around.sources)[0], count, reason.text))
             if reason.culprit is not None:

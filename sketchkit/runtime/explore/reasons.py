@@ -45,14 +45,17 @@ class Reason(NamedTuple):
         Whole sentences, of what is HIDDEN.
     culprit : Layer or None
         What hides it.
+    color : (r, g, b, a) or None
+        Of what is SHOWN on the main canvas: the colour that the picture has there, then.
     """
 
     verdict: Verdict
     text: str = ""
     culprit: Layer | None = None
+    color: tuple[int, int, int, int] | None = None
 
 
-SHOWN, UNSURE = Reason(Verdict.SHOWN), Reason(Verdict.UNSURE)
+UNSURE = Reason(Verdict.UNSURE)
 
 
 def reason_of(case: Case) -> Reason:
@@ -70,8 +73,8 @@ def reason_of(case: Case) -> Reason:
         return _hidden(f"It is drawn on another canvas, which is never shown: image({name}, 0, 0).")
     reasons = [_reason_of_piece(case, piece) for piece in pieces]
     for verdict in (Verdict.SHOWN, Verdict.UNSURE):
-        if any(reason.verdict is verdict for reason in reasons):
-            return Reason(verdict)
+        if alike := [reason for reason in reasons if reason.verdict is verdict]:
+            return alike[0]
     return reasons[0]
 
 
@@ -151,12 +154,14 @@ def _seen(case: Case, piece: Piece, reached: Reach) -> Reason:
         return _hidden(_covered_later(case, moments[0]))
     found = []
     for place in reached.places:
-        layers = history(case.log, target, place).layers
-        found += [own for own in layers if _is_of(own, piece)]
+        over = history(case.log, target, place)
+        mine = [own for own in over.layers if _is_of(own, piece)]
+        if any(layer.is_visible and layer.change > ALIKE for layer in mine):
+            is_main = target is case.around.canvas
+            return Reason(Verdict.SHOWN, color=over.color if is_main else None)
+        found += mine
     if not found:
         return UNSURE
-    if any(layer.is_visible and layer.change > ALIKE for layer in found):
-        return SHOWN
     if 0 < (alpha := int(found[0].color[3])) <= 2 * ALIKE and piece.pipeline.shading is None:
         return _hidden(f"It is all but transparent: the alpha of its colour is {alpha}, of 255.")
     if piece.pipeline.shading is not None and any(layer.is_visible for layer in found):
