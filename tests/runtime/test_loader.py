@@ -269,7 +269,7 @@ def test_thread_runs_beside_and_its_mistake_stops_the_sketch(tmp_path: Path) -> 
         """,
     )
 
-    assert "line 6: elipse" in mistake(sketch)
+    assert "line 7: elipse" in mistake(sketch)
 
 
 def test_overlapping_names_are_pythons_for_pythons_arguments(tmp_path: Path) -> None:
