@@ -96,8 +96,6 @@ class Ending:
         taken for signal n, as bubblewrap and shells write it.
     exceeded : Exceeded or None
     cpu_s, wall_s : float
-    peak_mb : float or None
-        The most memory that was resident; None where the system does not say.
     console : str
         What it printed, both streams in order; untrusted text.
     limits : Limits
@@ -109,7 +107,6 @@ class Ending:
     exceeded: Exceeded | None
     cpu_s: float
     wall_s: float
-    peak_mb: float | None
     console: str
     limits: Limits = field(default_factory=Limits)
 

@@ -91,7 +91,6 @@ def _ending(job: Job, watched: Watched, console: Console, written: int) -> Endin
         exceeded=watched.exceeded or next(_exceeded(job, watched, written, text), None),
         cpu_s=watched.cpu_s,
         wall_s=watched.wall_s,
-        peak_mb=watched.peak_mb,
         console=text,
         limits=job.limits,
     )

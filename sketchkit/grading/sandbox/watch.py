@@ -71,7 +71,6 @@ class Watched:
     exceeded: Exceeded | None
     cpu_s: float
     wall_s: float
-    peak_mb: float | None
 
 
 def watch(running: Running, console: Console, limits: Limits) -> Watched:
@@ -89,8 +88,8 @@ def watch(running: Running, console: Console, limits: Limits) -> Watched:
             running.process.kill()
         time.sleep(pause)
         pause = min(2 * pause, LONGEST_PAUSE_S)
-    status, cpu_s, peak_mb = found
-    return Watched(status, exceeded, cpu_s, time.monotonic() - began, peak_mb)
+    status, cpu_s = found
+    return Watched(status, exceeded, cpu_s, time.monotonic() - began)
 
 
 def _exceeded(elapsed: float, console: Console, limits: Limits) -> Exceeded | None:
@@ -99,14 +98,13 @@ def _exceeded(elapsed: float, console: Console, limits: Limits) -> Exceeded | No
     return Exceeded.CONSOLE if console.total > CONSOLE_END else None
 
 
-def _ended(process: subprocess.Popen[bytes]) -> tuple[int, float, float | None] | None:
-    """Return status, processor time and peak memory of a process that has ended; else None."""
+def _ended(process: subprocess.Popen[bytes]) -> tuple[int, float] | None:
+    """Return status and processor time of a process that has ended; else None."""
     if sys.platform == "win32":
         status = process.poll()
-        return None if status is None else (status, 0.0, None)
+        return None if status is None else (status, 0.0)
     pid, status, used = os.wait4(process.pid, os.WNOHANG)
     if pid == 0:
         return None
     process.returncode = os.waitstatus_to_exitcode(status)  # we have waited in its stead
-    unit = 1 if sys.platform == "darwin" else 1024  # bytes
-    return process.returncode, used.ru_utime + used.ru_stime, used.ru_maxrss * unit / MEGABYTE
+    return process.returncode, used.ru_utime + used.ru_stime
