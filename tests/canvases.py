@@ -9,6 +9,7 @@ from sketchkit.backends.listing import ListingBackend
 from sketchkit.core.constants import P2D, P3D
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.commands import Draw, DrawList
+from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import Layer, VertexBlock
@@ -48,6 +49,13 @@ def drawn(canvas: PGraphics) -> DrawList:
 
 def draws(commands: DrawList) -> list[Draw]:
     return [command for command in commands.commands if isinstance(command, Draw)]
+
+
+def pipeline_of(canvas: PGraphics) -> Pipeline:
+    """Return what the canvas draws a rect with now."""
+    canvas.noStroke()
+    canvas.rect(0, 0, 9, 9)
+    return draws(drawn(canvas))[-1].pipeline
 
 
 def fills(canvas: PGraphics) -> VertexBlock:

@@ -14,6 +14,7 @@ from sketchkit.api.camera import Camera
 from sketchkit.api.color import Color
 from sketchkit.api.curves import Curves
 from sketchkit.api.gl_access import GlAccess
+from sketchkit.api.hints import Hints
 from sketchkit.api.lights import Lights
 from sketchkit.api.materials import Materials
 from sketchkit.api.pimage import PImage
@@ -48,6 +49,7 @@ class PGraphics(
     Attribs,
     Shapes3D,
     Camera,
+    Hints,
     Views,
     Text,
     GlAccess,

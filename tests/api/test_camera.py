@@ -1,4 +1,4 @@
-"""Camera, projections and hints; numbers measured on Processing 4 where they are not plain."""
+"""Camera, projections; numbers measured on Processing 4 where they are not plain."""
 
 from __future__ import annotations
 
@@ -9,24 +9,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sketchkit.core.constants import (
-    DISABLE_DEPTH_MASK,
-    DISABLE_DEPTH_TEST,
-    ENABLE_DEPTH_MASK,
-    ENABLE_DEPTH_TEST,
-    ENABLE_KEY_REPEAT,
     P3D,
 )
 from sketchkit.core.errors import SketchError
 from sketchkit.core.notices import SketchWarning
-from tests.canvases import deep_canvas, drawn, draws, new_canvas
+from tests.canvases import deep_canvas, new_canvas, pipeline_of
 
 inside = st.floats(-200, 300)
-
-
-def pipeline_of(canvas):
-    canvas.noStroke()
-    canvas.rect(0, 0, 9, 9)
-    return draws(drawn(canvas))[-1].pipeline
 
 
 class TestDefault:
@@ -213,39 +202,3 @@ class TestProjections:
     def test_flat_canvas_says_that_it_has_none(self, flat, name):
         with pytest.warns(SketchWarning, match=rf"{name}\(\) works only in P3D"):
             getattr(flat, name)()
-
-
-class TestHints:
-    def test_depth_test_is_switched_off_and_on(self, deep):
-        tests = []
-        for hint in (DISABLE_DEPTH_TEST, ENABLE_DEPTH_TEST):
-            deep.hint(hint)
-            tests.append(pipeline_of(deep).depth_test)
-
-        assert tests == [False, True]
-
-    def test_depth_mask_is_switched_off_and_on(self, deep):
-        masks = []
-        for hint in (DISABLE_DEPTH_MASK, ENABLE_DEPTH_MASK):
-            deep.hint(hint)
-            masks.append(pipeline_of(deep).depth_write)
-
-        assert masks == [False, True]
-
-    def test_hint_stays_from_frame_to_frame(self, deep):
-        deep.hint(DISABLE_DEPTH_TEST)
-        deep.end_frame()
-        deep.begin_frame()
-
-        assert not pipeline_of(deep).depth_test
-
-    @pytest.mark.parametrize("unknown", ["x", 99, 0, None, [2]])
-    def test_unknown_hint_is_refused(self, deep, unknown):
-        with pytest.raises(SketchError, match=r"hint\(\) takes DISABLE_DEPTH_TEST, "):
-            deep.hint(unknown)
-
-    def test_hint_for_java_alone_changes_nothing(self, deep):
-        before = pipeline_of(deep)
-        deep.hint(ENABLE_KEY_REPEAT)
-
-        assert pipeline_of(deep) == before
