@@ -20,6 +20,8 @@ from tests.grading.class_of_sixty.assignment import write_assignment
 from tests.grading.class_of_sixty.submissions import BROKEN, RIGHT, SLIGHTLY_WRONG
 from tests.grading.test_class_of_sixty import grade, hand_in
 
+pytestmark = pytest.mark.usefixtures("walled")
+
 CASES = [RIGHT[0], SLIGHTLY_WRONG[0], BROKEN[0]]
 CHECKS = """\
 title = "Two boxes"

@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from sketchkit.grading.results import ClassResult, StudentResult, from_json
+from sketchkit.grading.sandbox.level import Level
 from tests.grading.class_of_sixty.assignment import SECRET, write_assignment
 from tests.grading.class_of_sixty.submissions import CASES, Case
 
@@ -55,7 +56,7 @@ def grade(assignment: Path, submissions: Path, out: Path, *options: str) -> list
 
 
 @pytest.fixture(scope="module")
-def graded(tmp_path_factory: pytest.TempPathFactory) -> Graded:
+def graded(walled: Level, tmp_path_factory: pytest.TempPathFactory) -> Graded:
     top = tmp_path_factory.mktemp("class")
     assignment, submissions = write_assignment(top / "assignment"), top / "submissions"
     submissions.mkdir()

@@ -15,7 +15,6 @@ from sketchkit.grading.results import Status
 from sketchkit.grading.runs import Outcome, Request, carry_out
 from sketchkit.grading.sandbox.job import Limits
 from sketchkit.grading.sandbox.level import Level
-from sketchkit.grading.sandbox.probe import probe
 from sketchkit.runtime.headless import Launch, render
 from tests.grading.sketches import submission
 
@@ -34,11 +33,6 @@ BOX = """
             box(20)
         text("A", 0, 0)
 """
-
-
-@pytest.fixture(scope="module")
-def level() -> Level:
-    return probe()
 
 
 class Runner:
@@ -71,8 +65,8 @@ class Runner:
 
 
 @pytest.fixture
-def runner(tmp_path: Path, level: Level) -> Runner:
-    return Runner(tmp_path, level)
+def runner(tmp_path: Path, walled: Level) -> Runner:
+    return Runner(tmp_path, walled)
 
 
 def pixels(path: Path) -> np.ndarray:

@@ -1,11 +1,10 @@
-"""What the tests of the sandbox share: this computer's walls, and a way to attack them."""
+"""What the tests of the sandbox share: a way to attack it."""
 
 from __future__ import annotations
 
 import json
 import os
 import secrets
-import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +14,6 @@ import pytest
 
 from sketchkit.grading.sandbox.job import Ending, Job, Limits
 from sketchkit.grading.sandbox.level import Level
-from sketchkit.grading.sandbox.probe import probe
 from sketchkit.grading.sandbox.run import run
 
 # `timeit` runs a statement: so a test needs no module of its own within the package.
@@ -41,16 +39,6 @@ class Attacked:
 
 
 Attack = Callable[..., Attacked]
-
-
-@pytest.fixture(scope="session")
-def walled() -> Level:
-    """Return this computer's level. Where bubblewrap is installed it has to hold."""
-    if shutil.which("bwrap") is None:
-        pytest.skip("bubblewrap is not installed: bash install.sh does that")
-    level = probe()
-    assert level.name == "full", f"{level.in_words}. {level.remedy} {level.missing}"
-    return level
 
 
 @pytest.fixture
