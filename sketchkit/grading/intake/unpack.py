@@ -69,6 +69,8 @@ def _check_directory(archive: Path) -> None:
 def _check(members: list[zipfile.ZipInfo], limits: IntakeLimits) -> None:
     if len(members) > limits.files:
         raise RefusedError(f"It has more than {limits.files} files and folders.")
+    if len({member.header_offset for member in members}) < len(members):
+        raise RefusedError("The zip is a bomb: some of its files share their bytes.")
     for member in members:
         name = shown(member.filename)
         if member.flag_bits & IS_ENCRYPTED:
