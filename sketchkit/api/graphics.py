@@ -17,6 +17,7 @@ from sketchkit.api.gl_access import GlAccess
 from sketchkit.api.hints import Hints
 from sketchkit.api.lights import Lights
 from sketchkit.api.materials import Materials
+from sketchkit.api.pconstants import PConstants
 from sketchkit.api.pimage import PImage
 from sketchkit.api.shaders import Shaders
 from sketchkit.api.shapes import RetainedShapes
@@ -53,6 +54,7 @@ class PGraphics(
     Views,
     Text,
     GlAccess,
+    PConstants,
 ):
     """A surface to draw on: the window's is one, and `createGraphics()` makes others.
 

@@ -27,6 +27,7 @@ from sketchkit.api.gl_access import PGL
 from sketchkit.api.host import PSurface
 from sketchkit.api.live import live_names
 from sketchkit.api.overlaps import opener, overlaps
+from sketchkit.api.pconstants import PConstants
 from sketchkit.api.pfont import PFont
 from sketchkit.api.pimage import PImage
 from sketchkit.api.pmatrix import PMatrix2D, PMatrix3D
@@ -37,8 +38,8 @@ from sketchkit.api.sketch import Sketch
 from sketchkit.core import constants
 
 CLASSES: tuple[type, ...] = (
-    *(Event, KeyEvent, MouseEvent, PFont, PGL, PImage, PMatrix2D, PMatrix3D, PShader, PShape),
-    *(PSurface, PVector),
+    *(Event, KeyEvent, MouseEvent, PConstants, PFont, PGL, PImage, PMatrix2D, PMatrix3D),
+    *(PShader, PShape, PSurface, PVector),
     *(StringList, IntList, LongList, FloatList, DoubleList),
     *(StringDict, IntDict, LongDict, FloatDict, DoubleDict),
     *(Table, TableRow, JSONObject, JSONArray, XML, BufferedReader, PrintWriter),

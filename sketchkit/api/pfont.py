@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from sketchkit.api._parts import CanvasParts
+from sketchkit.api.pconstants import PConstants
 from sketchkit.api.pshape.shape import PShape, new_shape
 from sketchkit.api.pvector import PVector
 from sketchkit.assets.fonts.faces import design_size
@@ -25,7 +26,7 @@ Points = list[PVector]
 TEXTTOPOINTS_USAGE = "text, x, y [, size [, sampleFactor]]"
 
 
-class PFont:
+class PFont(PConstants):
     """A font at a size: `createFont()` makes one, `textFont()` uses it.
 
     Parameters

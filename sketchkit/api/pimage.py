@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from sketchkit.api.pconstants import PConstants
 from sketchkit.api.pixel_access import PixelAccess, whole
 from sketchkit.api.pixel_array import PixelArray
 from sketchkit.api.pixel_effects import PixelEffects
@@ -29,7 +30,7 @@ RADIANCE_SUFFIX = ".hdr"
 MOST_PIXELS = 1 << 28  # a GB; beyond it width and height are mistaken
 
 
-class PImage(PixelAccess, PixelEffects):
+class PImage(PixelAccess, PixelEffects, PConstants):
     """A picture: `loadImage()` and `createImage()` make one.
 
     Parameters

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from weakref import WeakSet
 
+from sketchkit.api.pconstants import PConstants
 from sketchkit.api.shader_files import ShaderPaths, read_source
 from sketchkit.api.shader_values import numbers_for, textures_for
 from sketchkit.core.errors import SketchError, kind_of, nearest, shown
@@ -28,7 +29,7 @@ ELEMENT = re.compile(r"(.+)\[(\d+)\]$")
 FILLED = {"resolution", "viewport", PREVIOUS}  # Processing fills these, whatever the sketch sets
 
 
-class PShader:
+class PShader(PConstants):
     """A shader: `loadShader()` makes one, `shader()` and `filter()` use it.
 
     Parameters

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import builtins
 import functools
 import importlib
 import itertools
 import math
 import os
+import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from numbers import Number
@@ -20,7 +22,10 @@ from sketchkit.pymode.ordering import compare, ordered
 
 Function = Callable[..., Any]
 # Python Mode's own beginnings are run among the sketch's names, and leave these behind.
-LEFT_OVER = {"importlib": importlib, "Number": Number, "os": os, "sys": sys}
+LEFT_OVER = {
+    **{"ast": ast, "importlib": importlib, "os": os, "re": re, "sys": sys},
+    "Number": Number,
+}
 FLOATING = ("lerp", "norm", "pow", "sq")  # in Java floats, also of whole numbers
 
 

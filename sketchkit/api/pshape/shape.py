@@ -12,10 +12,10 @@ from sketchkit.api.color import Color
 from sketchkit.api.curve_vertices import CurveVertices
 from sketchkit.api.materials import Materials
 from sketchkit.api.paint import check_choice
+from sketchkit.api.pconstants import PConstants
 from sketchkit.api.pshape.attribs import ShapeAttribs
 from sketchkit.api.pshape.codes import ShapeCodes
 from sketchkit.api.pshape.display import ShapeDisplay
-from sketchkit.api.pshape.kinds import ShapeKinds
 from sketchkit.api.pshape.looks import ShapeLooks
 from sketchkit.api.pshape.parts import Family
 from sketchkit.api.pshape.transforms import ShapeTransforms
@@ -50,7 +50,7 @@ class PShape(
     CurveVertices,
     Textures,
     Attribs,
-    ShapeKinds,
+    PConstants,
 ):
     """A drawing that is kept: made once, drawn often, with `shape()`.
 

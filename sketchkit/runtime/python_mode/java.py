@@ -13,7 +13,7 @@ TOP_PACKAGES = frozenset({"java", "javax", "processing", "com", "net"})
 
 
 class Statics:
-    """A class of Java of which only what is static is known: `PApplet.sin`, `PConstants.PI`."""
+    """A class of Java of which only what is static is known: `PApplet.sin`, `PApplet.PI`."""
 
     def __init__(self, names: Mapping[str, object]) -> None:
         self._names = names
@@ -58,7 +58,7 @@ class JavaPackage(ModuleType):
         )
 
     def _of_processing(self, path: str, name: str) -> object:
-        if name in ("PApplet", "PConstants"):
+        if name == "PApplet":
             return Statics(self._names)
         if name in self._names:
             return self._names[name]

@@ -20,5 +20,4 @@ def python_mode_names(family: Family) -> dict[str, object]:
     return builtin_names(family.names) | {
         "__import__": Importer(family),
         "PApplet": statics,
-        "PConstants": statics,
     }
