@@ -13,19 +13,18 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from numbers import Number
-from pathlib import Path
 from types import ModuleType
 from typing import Any  # whatever the sketch calls them with
 
-from sketchkit.pymode.operations import OPERATIONS, written
+from sketchkit.pymode.evaluating import evaluate, execute, execute_file
+from sketchkit.pymode.formatting import written
+from sketchkit.pymode.operations import OPERATIONS
 from sketchkit.pymode.ordering import compare, ordered
 
 Function = Callable[..., Any]
 # Python Mode's own beginnings are run among the sketch's names, and leave these behind.
-LEFT_OVER = {
-    **{"ast": ast, "importlib": importlib, "os": os, "re": re, "sys": sys},
-    "Number": Number,
-}
+_MODULES = (ast, importlib, os, re, sys)
+LEFT_OVER = {module.__name__: module for module in _MODULES} | {"Number": Number}
 FLOATING = ("lerp", "norm", "pow", "sq")  # in Java floats, also of whole numbers
 
 
@@ -41,7 +40,9 @@ def builtin_names(names: Mapping[str, object]) -> dict[str, object]:
         "apply": lambda function, args=(), named=None: function(*args, **(named or {})),
         "basestring": str,
         "cmp": compare,
-        "execfile": _execfile,
+        "eval": evaluate,
+        "exec": execute,
+        "execfile": execute_file,
         "file": names.get("open", builtins.open),
         "filter": _filter(names.get("filter", builtins.filter)),
         "intern": sys.intern,
@@ -133,11 +134,6 @@ def _open(find: Any) -> Function:  # noqa: ANN401 # an open() that finds the ske
         return find(name, mode, **{"encoding": "utf-8", "errors": "surrogateescape"} | named)
 
     return open
-
-
-def _execfile(name: str, names: dict[str, Any] | None = None) -> None:
-    code = compile(Path(name).read_text(encoding="utf-8"), name, "exec")
-    exec(code, sys._getframe(1).f_globals if names is None else names)
 
 
 def _reload(module: ModuleType) -> ModuleType:

@@ -21,6 +21,7 @@ METHODS: dict[str, range] = {
     "sort": range(4),
     "decode": range(3),
     "encode": range(3),
+    "format": range(256),
 }
 # What every sketch has, and what is no number only if it says so itself.
 NUMBERS = frozenset({"width", "height", "mouseX", "mouseY", "pmouseX", "pmouseY", "frameCount"})
@@ -72,6 +73,8 @@ class _Meaning(ast.NodeTransformer):
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
         self.generic_visit(node)
+        if isinstance(node.op, ast.Mod) and _may_be_filled_in(node.left, node.right):
+            return _call("filled", [node.left, node.right], node)
         if self._has_true_division or not isinstance(node.op, ast.Div):
             return node
         match node.left, node.right:
@@ -140,6 +143,16 @@ def _is_evidently_number(node: ast.expr) -> bool:
         case ast.UnaryOp(operand=operand):
             return _is_evidently_number(operand)
     return False
+
+
+def _may_be_filled_in(text: ast.expr, values: ast.expr) -> bool:
+    """Tell whether a `%` may put numbers with fractions into a text."""
+    match text, values:
+        case _, ast.Constant(value=int() | str()):
+            return False
+        case ast.Constant(value=str()), _:
+            return True
+    return not (_is_evidently_number(text) or _is_evidently_number(values))
 
 
 def _futures(tree: ast.Module) -> Iterator[str]:

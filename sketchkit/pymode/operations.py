@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any  # operands are whatever the sketch has
 
 from sketchkit.pymode.classes import modernised
+from sketchkit.pymode.formatting import filled, formatted, written
 from sketchkit.pymode.ordering import greater, greater_or_equal, less, less_or_equal, sort
 
 TEXT_CODECS = ("utf", "latin", "iso", "ascii", "cp1", "mbcs")
@@ -91,14 +92,6 @@ def encode(text: Any, *how: Any, **named: Any) -> Any:  # noqa: ANN401 # see the
     return codecs.encode(text, *how)
 
 
-def written(*value: Any) -> str:  # noqa: ANN401 # see the import
-    """Return `str(value)`: of a number at most 12 digits."""
-    if len(value) == 1 and type(value[0]) is float:
-        text = f"{value[0]:.12g}"
-        return text if not text.lstrip("-").isdigit() else f"{text}.0"
-    return value[0] if len(value) > 1 and isinstance(value[0], str) else str(*value)
-
-
 def _is_text_codec(how: tuple[Any, ...]) -> bool:
     return not how or str(how[0]).lower().startswith(TEXT_CODECS)
 
@@ -125,6 +118,8 @@ OPERATIONS = {
         "decode": decode,
         "encode": encode,
         "written": written,
+        "filled": filled,
+        "format": formatted,
         "modernised": modernised,
     }.items()
 }
