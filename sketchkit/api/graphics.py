@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 from sketchkit.api._parts import BACKDROP, TRANSPARENT
 from sketchkit.api._pen import Block
@@ -29,9 +29,10 @@ from sketchkit.api.textures import Textures
 from sketchkit.api.view import Views
 from sketchkit.assets.output import picture_bytes
 from sketchkit.core.constants import ARGB, FX2D, JAVA2D, P3D
+from sketchkit.core.errors import SketchError
 from sketchkit.draw.commands import Settling
 from sketchkit.draw.recorder import Kind
-from sketchkit.draw.renderer import Reader
+from sketchkit.draw.renderer import Reader, Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.draw.stage import Stage
 from sketchkit.draw.vertex import U8
@@ -74,6 +75,22 @@ class PGraphics(
     True
     >>> image(pg, 20, 20)
     """
+
+    def __init__(self, renderer: Renderer | None = None, target: Target | None = None) -> None:
+        if renderer is not None and target is not None:
+            super().__init__(renderer, target)
+
+    if not TYPE_CHECKING:  # or any attribute would be right for the type checker
+
+        def __getattr__(self, name: str) -> object:
+            """Tell that `PGraphics()` alone is nothing to draw on; some sketches begin with it."""
+            if "_renderer" in vars(self) or name.startswith("__"):
+                problem = f"{type(self).__name__!r} object has no attribute {name!r}"
+                raise AttributeError(problem, name=name, obj=self)
+            raise SketchError(
+                "PGraphics() alone is nothing to draw on.",
+                hint="createGraphics(width, height) makes one of that size.",
+            )
 
     @property
     def width(self) -> int:

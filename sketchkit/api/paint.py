@@ -9,6 +9,7 @@ from sketchkit.api.color import ColorLike
 from sketchkit.core import constants as c
 from sketchkit.core.color import USAGE, pack
 from sketchkit.core.errors import SketchError, either, shown, wrong_numbers
+from sketchkit.core.notices import warn_once
 from sketchkit.core.style import NO_COLOR
 
 # The usual call, three whole numbers, becomes three look-ups; whatever is not found goes the long
@@ -35,6 +36,16 @@ def check_choice(name: str, value: object, choices: dict[int, str]) -> None:
         hint = f"Write {value} without quotes." if is_quoted else None
         problem = f"{name}() takes {either(choices.values())}."
         raise SketchError(problem, got=shown(value), hint=hint)
+
+
+def chosen(name: str, value: int, choices: dict[int, str], otherwise: int) -> int:
+    """Return one of the constants; for another number what Processing takes it for."""
+    if isinstance(value, int) and value not in choices:
+        taken = choices.get(otherwise, "nothing")
+        warn_once(f"{name}() takes {either(choices.values())}; {value} is taken for {taken}.")
+        return otherwise
+    check_choice(name, value, choices)
+    return value
 
 
 class Paint(Pen):
@@ -217,8 +228,7 @@ class Paint(Pen):
         >>> strokeCap(SQUARE)
         >>> line(20, 50, 80, 50)
         """
-        check_choice("strokeCap", cap, CAPS)
-        self._restyle("stroke_cap", cap)
+        self._restyle("stroke_cap", chosen("strokeCap", cap, CAPS, c.SQUARE))
 
     def strokeJoin(self, join: int) -> None:
         """Set how segments of an outline meet: MITER (at first), BEVEL or ROUND.
@@ -231,8 +241,8 @@ class Paint(Pen):
         >>> strokeJoin(ROUND)
         >>> rect(25, 25, 50, 50)
         """
-        check_choice("strokeJoin", join, JOINS)
-        self._restyle("stroke_join", join)
+        otherwise = c.BEVEL if self._stage.is_java2d else c.MITER
+        self._restyle("stroke_join", chosen("strokeJoin", join, JOINS, otherwise))
 
     def _mix(self, name: str, *args: ColorLike | None) -> int:
         """Return the packed colour of the arguments that were given."""

@@ -65,7 +65,7 @@ class PVector(VectorArithmetic, metaclass=_TwoForms):
     PVector(21.0, 40.5, 0.0)
     """
 
-    __slots__ = ()
+    __slots__ = ("__dict__",)  # sketches of Python Mode give vectors attributes of their own
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
         try:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sketchkit.api._parts import CanvasParts
-from sketchkit.api.paint import check_choice
+from sketchkit.api.paint import chosen
 from sketchkit.api.pshape.models import model_shape
 from sketchkit.api.pshape.parts import Placed, ShapeParts, scaled
 from sketchkit.api.pshape.shape import PShape, new_shape
@@ -182,8 +182,7 @@ class RetainedShapes(CanvasParts):
         >>> shapeMode(CENTER)
         >>> shape(s, 50, 50)
         """
-        check_choice("shapeMode", mode, SHAPE_MODES)
-        self._shape_mode = mode
+        self._shape_mode = chosen("shapeMode", mode, SHAPE_MODES, c.CORNER)
 
     def _placed(self, shape: PShape, place: tuple[float, ...]) -> mat.Affine:
         """Return the modelview for a shape that comes to a place, maybe in another size."""

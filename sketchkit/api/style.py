@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sketchkit.api._parts import Block, CanvasParts
-from sketchkit.api.paint import Paint, check_choice
+from sketchkit.api.paint import Paint, check_choice, chosen
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError
 from sketchkit.core.style import SavedStyle
@@ -33,8 +33,7 @@ class Styling(CanvasParts, Paint):
         >>> rectMode(CENTER)
         >>> rect(50, 50, 60, 40)
         """
-        check_choice("rectMode", mode, RECT_MODES)
-        self._restyle("rect_mode", mode)
+        self._restyle("rect_mode", chosen("rectMode", mode, RECT_MODES, c.CORNERS))
 
     def ellipseMode(self, mode: int) -> None:
         """Set what the numbers of `ellipse()` and `arc()` mean; the same modes as `rectMode()`.
@@ -46,8 +45,7 @@ class Styling(CanvasParts, Paint):
         >>> ellipseMode(CORNER)
         >>> ellipse(20, 20, 60, 40)
         """
-        check_choice("ellipseMode", mode, RECT_MODES)
-        self._restyle("ellipse_mode", mode)
+        self._restyle("ellipse_mode", chosen("ellipseMode", mode, RECT_MODES, c.CORNER))
 
     def imageMode(self, mode: int) -> None:
         """Set what the numbers of `image()` mean: CORNER (at first), CORNERS or CENTER.

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sketchkit.api._parts import CanvasParts
-from sketchkit.api.paint import check_choice
+from sketchkit.api.paint import check_choice, chosen
 from sketchkit.assets.fonts.faces import Face, Setting, design_size, fonts_of
 from sketchkit.assets.fonts.letters import letters_of
 from sketchkit.core import constants as c
@@ -125,9 +125,9 @@ class Typesetting(CanvasParts):
         >>> textAlign(CENTER, CENTER)
         >>> text("word", 50, 50)
         """
-        check_choice("textAlign", alignX, ALIGNMENTS)
-        check_choice("textAlign", alignY, VERTICAL)
-        self._typography = replace(self._typography, align_x=alignX, align_y=alignY)
+        across = chosen("textAlign", alignX, ALIGNMENTS, c.LEFT)
+        down = chosen("textAlign", alignY, VERTICAL, c.BASELINE)
+        self._typography = replace(self._typography, align_x=across, align_y=down)
 
     def textLeading(self, leading: float) -> None:
         r"""Set the distance from line to line, until the next `textSize()` or `textFont()`.

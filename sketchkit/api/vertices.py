@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.api._pen import FACING, WHITE, Block, OpenShape, Pen
-from sketchkit.api.paint import check_choice
+from sketchkit.api.paint import check_choice, chosen
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, kind_of, shown
 from sketchkit.draw.recorder import (
@@ -41,7 +41,7 @@ KINDS = {
 # The names of single shapes stand for those of many, as in Processing.
 KIND_OF = {c.TRIANGLE: c.TRIANGLES, c.QUAD: c.QUADS, c.LINE: c.LINES, c.POINT: c.POINTS}
 FEWEST_CORNERS = 3  # of a polygon; Processing counts a curve's control points as well
-CLOSE_MODES = {c.CLOSE: "CLOSE"}
+CLOSE_MODES = {c.CLOSE: "CLOSE", c.OPEN: "nothing"}
 VERTEX_USAGE = "x, y [, z] | x, y, u, v | x, y, z, u, v"
 
 
@@ -223,8 +223,8 @@ class Vertices(Pen):
             raise SketchError(
                 "endShape() without beginShape().", hint="Write beginShape() before the vertices."
             )
-        if mode is not None and mode != c.OPEN:
-            check_choice("endShape", mode, CLOSE_MODES)
+        if mode is not None:
+            mode = chosen("endShape", mode, CLOSE_MODES, c.OPEN)
         self._shape = None
         self._attributes = -1
         recorder = self._recorder

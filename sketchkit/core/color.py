@@ -16,11 +16,13 @@ from typing import Any
 from sketchkit.core import constants as c
 from sketchkit.core.errors import SketchError, nearest, wrong_numbers
 from sketchkit.core.float32 import ROUND, f32
+from sketchkit.core.notices import warn_once
 
 COMPONENTS = {c.RGB: "red, green, blue", c.HSB: "hue, saturation, brightness"}
 USAGE = f"gray [, alpha] | {COMPONENTS[c.RGB]} [, alpha]"
 
 _GRAY = {v: 0xFF000000 | v << 16 | v << 8 | v for v in range(256)}
+_NUMBER = re.compile("(?P<prefix>0[xX]|#|)(?P<digits>[0-9a-fA-F]+)")
 _HEX = re.compile("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
 
 
@@ -101,11 +103,13 @@ def to_packed(color: object, name: str = "color") -> int:
         packed = operator.index(color)  # type: ignore[arg-type]  # what has no index is told so
     except TypeError:
         raise wrong_numbers(name, (color,), "color") from None
+    kept = packed & 0xFFFFFFFF
     if not -0x80000000 <= packed <= 0xFFFFFFFF:
-        raise SketchError(
-            "A colour has 32 bits: 0xAARRGGBB.", got=f"{packed:#x}", hint="Write 0xFFCC6600."
+        warn_once(
+            "A colour has 32 bits, 0xAARRGGBB, and this number has more: as in Processing, "
+            f"0x{kept:08X} is taken of it."
         )
-    return packed & 0xFFFFFFFF
+    return kept
 
 
 def unit_rgba(name: str, color: object) -> tuple[float, float, float, float]:
@@ -124,6 +128,9 @@ def unit_rgba(name: str, color: object) -> tuple[float, float, float, float]:
 def parse(text: str) -> int:
     """Return the colour that a string names: "#CC6600", "#80CC6600", "#C60" or "orange".
 
+    Other numbers are read as Python Mode reads them: "0xCC6600" too is hexadecimal, "13395456" is
+    decimal, and there are zeros in front of what is too short.
+
     Examples
     --------
     >>> hex(parse("#CC6600")), hex(parse("#80CC6600")), hex(parse("Orange"))
@@ -136,6 +143,8 @@ def parse(text: str) -> int:
         return int(digits, 16) | (0 if len(digits) == 8 else 0xFF000000)
     names = web_colors()
     color = names.get(text.replace(" ", "").lower())
+    if color is None:
+        color = _as_number(text)
     if color is None:
         raise _unknown(text, names)
     return color
@@ -299,6 +308,28 @@ def _lerp(start: float, stop: float, t: float) -> float:
 
 def _lerp_byte(start: int, stop: int, shift: int, t: float) -> int:
     return math.floor(_lerp(start >> shift & 255, stop >> shift & 255, t) + 0.5)
+
+
+def _as_number(text: str) -> int | None:
+    """Return the colour that a string is as one of Java's numbers, or None if it is none."""
+    if not (found := _NUMBER.fullmatch(text)):
+        return None
+    digits = found["digits"]
+    base = 16 if found["prefix"] else 8 if digits.startswith("0") and len(digits) > 1 else 10
+    try:
+        color = int(digits, base)
+    except ValueError:
+        return None
+    if color > 0xFFFFFFFF:
+        return None
+    packed = color | (0 if len(digits) == 8 and base == 16 else 0xFF000000)
+    if not (found["prefix"] and len(digits) in (6, 8)):
+        meant = digits if len(digits) in (3, 6, 8) else "RRGGBB"
+        warn_once(
+            f'As in Processing, "{text}" is the colour #{packed & 0xFFFFFF:06X}. '
+            f'The usual way to write one is "#{meant}".'
+        )
+    return packed
 
 
 def _unknown(text: str, names: dict[str, int]) -> SketchError:

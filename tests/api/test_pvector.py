@@ -251,3 +251,17 @@ def test_random_and_from_angle_fill_a_target(v, w):
 def test_two_vectors_have_no_product_as_in_python_mode(v, w, multiply):
     with pytest.raises(SketchError, match=r"a\.dot\(b\) is the dot product"):
         multiply(v, w)
+
+
+def test_it_can_have_attributes_of_its_own(v):
+    v.speed = 5
+
+    assert v.speed == 5
+    assert tuple(v.copy()) == tuple(v)
+
+
+def test_a_method_of_one_vector_can_be_hidden_as_in_python_mode(v, w):
+    v.add = 3
+    w.add(v)
+
+    assert v.add == 3

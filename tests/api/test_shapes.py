@@ -26,6 +26,7 @@ from sketchkit.core.constants import (
     TRIANGLES,
 )
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.commands import DrawMesh
 from sketchkit.draw.vertex import Layer
@@ -122,9 +123,15 @@ class TestMode:
 
         assert extent(flat, plate(flat), 5, 7) == [15, 27, 55, 57]
 
-    def test_unknown_one_is_told(self, flat):
-        with pytest.raises(SketchError, match=r"shapeMode.*CORNER.*CENTER"):
+    def test_unknown_one_counts_as_corner(self, flat):
+        flat.shapeMode(CENTER)
+
+        with pytest.warns(
+            SketchWarning, match=r"shapeMode.*CORNER.*CENTER; 77 is taken for CORNER"
+        ):
             flat.shapeMode(77)
+
+        assert extent(flat, plate(flat), 5, 7) == [15, 27, 55, 57]
 
 
 class TestMistakes:

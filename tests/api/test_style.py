@@ -12,12 +12,16 @@ from sketchkit.core.constants import (
     CORNERS,
     DIFFERENCE,
     HSB,
+    JAVA2D,
+    LEFT,
     RADIUS,
     SQUARE,
+    TOP,
 )
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from sketchkit.draw.pipeline import Blend
-from tests.canvases import drawn, draws, fills, places
+from tests.canvases import drawn, draws, fills, new_canvas, places
 
 RED = [255, 0, 0, 255]
 
@@ -81,11 +85,11 @@ def test_what_makes_no_color_is_refused_by_name(flat, name, arguments):
 @pytest.mark.parametrize(
     ("name", "wrong", "named"),
     [
-        ("rectMode", 7, "CORNER, CORNERS, RADIUS or CENTER"),
+        ("rectMode", 1.5, "CORNER, CORNERS, RADIUS or CENTER"),
         ("ellipseMode", "CENTER", "CORNER, CORNERS, RADIUS or CENTER"),
         ("imageMode", RADIUS, "CORNER, CORNERS or CENTER"),
-        ("strokeCap", 99, "ROUND, SQUARE or PROJECT"),
-        ("strokeJoin", SQUARE, "MITER, BEVEL or ROUND"),
+        ("strokeCap", None, "ROUND, SQUARE or PROJECT"),
+        ("strokeJoin", [], "MITER, BEVEL or ROUND"),
     ],
     ids=["rectMode", "ellipseMode", "imageMode", "strokeCap", "strokeJoin"],
 )
@@ -94,6 +98,28 @@ def test_unknown_mode_is_refused_with_the_known_ones(flat, name, wrong, named):
         getattr(flat, name)(wrong)
 
     assert f"{name}() takes {named}." in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "taken"),
+    [
+        ("rectMode", LEFT, "CORNERS"),
+        ("ellipseMode", 30, "CORNER"),
+        ("strokeCap", 30, "SQUARE"),
+        ("strokeJoin", SQUARE, "MITER"),
+        ("textAlign", TOP, "LEFT"),
+    ],
+)
+def test_a_number_that_is_no_mode_counts_as_in_processing(flat, name, number, taken):
+    with pytest.warns(SketchWarning, match=f"{number} is taken for {taken}"):
+        getattr(flat, name)(number)
+
+
+def test_join_that_is_none_is_a_bevel_in_java2d():
+    canvas = new_canvas(JAVA2D)
+
+    with pytest.warns(SketchWarning, match="taken for BEVEL"):
+        canvas.strokeJoin(30)
 
 
 def test_mode_in_quotes_gets_a_hint(flat):

@@ -109,8 +109,8 @@ def test_the_width_of_some_characters(flat):
     [
         (lambda g: g.textSize("12"), "Got text for size"),
         (lambda g: g.textLeading(None), "Got None for leading"),
-        (lambda g: g.textAlign(TOP), "takes LEFT, CENTER or RIGHT"),
-        (lambda g: g.textAlign(CENTER, 5), "TOP, CENTER, BASELINE or BOTTOM"),
+        (lambda g: g.textAlign("TOP"), "takes LEFT, CENTER or RIGHT"),
+        (lambda g: g.textAlign(CENTER, None), "TOP, CENTER, BASELINE or BOTTOM"),
         (lambda g: g.textMode(99), "MODEL or SHAPE"),
         (lambda g: g.textWidth(5, 0, 1), "textWidth"),
         (lambda g: g.textWidth(["a"], 0, 2), "a list that has 1"),

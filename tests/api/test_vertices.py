@@ -6,6 +6,7 @@ import pytest
 
 from sketchkit.core.constants import CLOSE, IMAGE, LINES, NORMAL, QUADS, REPEAT, RGB, TRIANGLES
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from sketchkit.draw.resources import Wrap
 from tests.canvases import drawn, draws, fills, places
 
@@ -60,10 +61,10 @@ class TestWithinAShape:
         with pytest.raises(SketchError, match=r"beginShape\(\) takes .*TRIANGLES"):
             flat.beginShape(99)
 
-    def test_unknown_end_is_refused(self, flat):
+    def test_unknown_end_leaves_it_open(self, flat):
         flat.beginShape()
 
-        with pytest.raises(SketchError, match=r"endShape\(\) takes CLOSE"):
+        with pytest.warns(SketchWarning, match=r"endShape\(\) takes CLOSE or nothing; 99"):
             flat.endShape(99)
 
     def test_contour_in_a_contour_is_refused(self, flat):

@@ -6,8 +6,9 @@ from hypothesis import strategies as st
 
 from sketchkit.core import color
 from sketchkit.core import constants as c
-from sketchkit.core.color import ColorMode, pack
+from sketchkit.core.color import ColorMode, pack, parse
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 
 PLAIN = ColorMode()
 UNIT = ColorMode(c.RGB, 1.0, 1.0, 1.0, 1.0)
@@ -97,9 +98,40 @@ def test_wrong_arguments_name_the_function_that_was_called(args):
         pack(PLAIN, *args, name="stroke")
 
 
-def test_an_int_of_more_than_32_bits_is_no_colour():
-    with pytest.raises(SketchError, match="32 bits"):
-        pack(PLAIN, 1 << 32)
+@pytest.mark.parametrize(
+    ("number", "expected"),
+    [(0x1FF00FF00, 0xFF00FF00), ((1 << 32) + 255, 0xFFFFFFFF), (-(1 << 32) - 1, 0xFFFFFFFF)],
+    ids=hex,
+)
+def test_of_an_int_of_more_than_32_bits_the_last_are_taken(number, expected):
+    with pytest.warns(SketchWarning, match="32 bits"):
+        assert pack(PLAIN, number) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("552200", 0xFF086D08),  # decimal: 8 * 65536 + 109 * 256 + 8
+        ("255", 0xFF0000FF),
+        ("010", 0xFF000008),
+        ("#FFFFFFF", 0xFFFFFFFF),
+        ("#95ee0f5", 0xFF5EE0F5),
+        ("0xCC66", 0xFF00CC66),
+    ],
+)
+def test_a_number_in_quotes_is_read_as_in_python_mode(text, expected):
+    with pytest.warns(SketchWarning, match="As in Processing"):
+        assert parse(text) == expected
+
+
+def test_hexadecimal_as_in_python_needs_no_remark():
+    assert parse("0xCC6600") == 0xFFCC6600
+
+
+@pytest.mark.parametrize("text", ["#", "12CC", "#FFCC66001", "99999999999", "0x"])
+def test_what_is_no_number_in_quotes_is_no_colour(text):
+    with pytest.raises(SketchError, match="no colour of this name"):
+        parse(text)
 
 
 def test_a_range_of_zero_is_refused():

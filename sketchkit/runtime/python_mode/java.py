@@ -18,6 +18,13 @@ class Statics:
     def __init__(self, names: Mapping[str, object]) -> None:
         self._names = names
 
+    def __mro_entries__(self, bases: tuple[object, ...]) -> tuple[type, ...]:
+        """Tell that no class can be made of it."""
+        raise SketchError(
+            "A sketch has one window here: PApplet cannot be made into a second one.",
+            hint="createGraphics() draws out of sight, and image() shows it in the window.",
+        )
+
     def __getattr__(self, name: str) -> object:
         if name in self._names and not name.startswith("_"):
             return self._names[name]

@@ -105,6 +105,12 @@ def test_processing_classes_can_be_imported(tmp_path: Path) -> None:
     assert (names["x"], names["y"]) == (2, 5)
 
 
+def test_a_second_window_is_refused_in_a_sentence(tmp_path: Path) -> None:
+    sketch = old(tmp_path, "class Other(PApplet):\n    pass\n")
+
+    assert "A sketch has one window here" in mistake(sketch)
+
+
 def test_python_modules_of_other_names_can_be_imported(tmp_path: Path) -> None:
     sketch = old(
         tmp_path,
