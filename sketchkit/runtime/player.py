@@ -144,7 +144,7 @@ class Player:
         self._path = path.absolute()  # a sketch is run in its own folder
         self._screen = screen
         self._manner = manner
-        self._python = manner.python or (2 if path.suffix == PYTHON_MODE else 3)
+        self._python = manner.python or (2 if path.suffix == PYTHON_MODE else None)
         self._tell = tell
         self._say = say
         self._explorer = explorer

@@ -12,6 +12,7 @@ from pathlib import Path
 from types import CodeType
 from typing import NamedTuple
 
+from sketchkit.pymode.dialect import Sign, sign_of_python_2
 from sketchkit.pymode.meaning import python_3
 from sketchkit.pymode.reading import text_of
 from sketchkit.pymode.settings import with_settings_first
@@ -59,7 +60,8 @@ class Source:
         path : Path
             Where it is.
         python : 2 or 3, optional
-            Which Python it is written in. Without it, the end of its name tells.
+            Which Python it is written in. Without it, the end of its name tells, or the text: one
+            that is Python 2 and cannot be Python 3 is read as that, and a remark says so.
 
         Raises
         ------
@@ -70,8 +72,11 @@ class Source:
         SketchError
             If it is Python 2 and the library that converts it is not installed.
         """
-        python = python or (2 if path.suffix == PYTHON_MODE else 3)
+        sign = None if python or path.suffix == PYTHON_MODE else sign_of_python_2(path)
+        python = python or (2 if sign or path.suffix == PYTHON_MODE else 3)
         source = cls(path.absolute(), path.read_bytes(), python)
+        if sign:
+            source.remarks.append(_remark(sign, path))
         source.code  # noqa: B018 # compiled here, so that mistakes come to light when it is read
         return source
 
@@ -156,6 +161,16 @@ class Source:
                 case ast.FunctionDef(name=bound) | ast.ClassDef(name=bound) if bound == name:
                     return node.lineno
         return 1
+
+
+def _remark(sign: Sign, path: Path) -> tuple[int, str]:
+    """Return a line of the sketch, and what is said there of its being Python 2."""
+    is_own = sign.path == path
+    what = "This" if is_own else f"{sign.path.name}, line {sign.line},"
+    return sign.line if is_own else 1, (
+        f"{what} is Python 2: the sketch is run as with --python-mode, where 7 / 2 is 3.\n"
+        "    sketchkit port writes it as Python 3."
+    )
 
 
 def _characters(line: str, column: int) -> int:

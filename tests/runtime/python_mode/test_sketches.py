@@ -284,3 +284,29 @@ def test_files_are_watched_with_their_modules(tmp_path: Path) -> None:
         names = {path.name for path in loop.program.files}
 
     assert names == {"old.pyde", "helper.py"}
+
+
+def test_py_file_that_is_python_2_runs_as_python_mode_and_is_told_so(tmp_path: Path) -> None:
+    sketch = old(tmp_path, "x = 7 / 2\nprint x\n", "old.py")
+    remarks = Remarks()
+
+    assert play(sketch, remarks=remarks)["x"] == 3
+    ((_, line, text),) = remarks
+    assert line == 2
+    assert text.startswith("This is Python 2: the sketch is run as with --python-mode")
+    assert "sketchkit port" in text
+
+
+def test_py_file_whose_module_is_python_2_runs_as_python_mode(tmp_path: Path) -> None:
+    old(tmp_path, "def half(x):\n    print x\n    return x / 2\n", "parts.py")
+    sketch = old(tmp_path, "from parts import half\nx = half(7)\n", "old.py")
+    remarks = Remarks()
+
+    assert play(sketch, remarks=remarks)["x"] == 3
+    assert remarks[0][2].startswith("parts.py, line 2, is Python 2")
+
+
+def test_py_file_in_python_3_with_a_print_of_python_2_is_a_mistake(tmp_path: Path) -> None:
+    sketch = old(tmp_path, "name = f'a{1}'\nprint name\n", "new.py")
+
+    assert "Write print(...), with brackets." in mistake(sketch)
