@@ -82,6 +82,11 @@ class Upload:
 Command = Clear | Settle | Draw | DrawMesh | Upload
 
 
+def target_of(command: Command) -> Target:
+    """Return what a command is carried out on."""
+    return command.pipeline.target if isinstance(command, Draw | DrawMesh) else command.target
+
+
 @dataclass(slots=True)
 class DrawList:
     """Commands in order, and the vertices that they refer to.

@@ -25,6 +25,8 @@ class Loop:
     ----------
     program : Program
         Entered by whoever made it.
+    is_complete : bool
+        Whether no frame is half drawn.
 
     Parameters
     ----------
@@ -35,6 +37,7 @@ class Loop:
 
     def __init__(self, program: Program, *, restarts_chance: bool = False) -> None:
         self.program = program
+        self.is_complete = True
         self._restarts_chance = restarts_chance
         self._sketch = program.sketch
         self._canvas = program.sketch.canvas
@@ -108,6 +111,7 @@ class Loop:
         calls = self._progress.due_calls
         if not (is_drawing or self._events or self._window_events or calls):
             return False
+        self.is_complete = False
         with self._leaving():
             if not is_drawing:
                 self._handle_window()
@@ -120,6 +124,7 @@ class Loop:
                 calls.pop(0)()
             if is_drawing:
                 self.program.call_registered("draw")
+        self.is_complete = True
         self._canvas.end_frame()
         self._raise_failures()
         if is_drawing:

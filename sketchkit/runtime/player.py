@@ -23,6 +23,7 @@ from sketchkit.runtime.explorer import Explorer, NoExplorer
 from sketchkit.runtime.filming import KEY_CODE, Filming
 from sketchkit.runtime.headless import Launch, opened
 from sketchkit.runtime.inputs import Inputs, Live
+from sketchkit.runtime.last_picture import LastPicture
 from sketchkit.runtime.loader import Tell, seed_everything
 from sketchkit.runtime.loop import Loop
 from sketchkit.runtime.mistake_panel import draw_mistake, shown_size
@@ -149,7 +150,8 @@ class Player:
         self._say = say
         self._explorer = explorer
         self._filming = Filming(self._path.parent, note)
-        self._picture: Target | None = None
+        self._last = LastPicture(screen.backend)
+        self._size = FIRST_PICTURE  # of the window, as the sketch wants it
         self._overlay, self._panel = Overlay(screen.backend), Overlay(screen.backend)
         self._mistake: Report | None = None
         self._watch = Watch([self._path])
@@ -177,14 +179,17 @@ class Player:
             if is_repeatable:
                 seed_everything(seed)
             self._explorer.begin(loop, renderer)
+            self._last.follow(loop, renderer)
             try:
                 loop.begin()
-                self._clear_mistake()
-                self._picture = loop.program.sketch.canvas.target
-                self._show_picture()
+                if self._last.target is None or not loop.is_drawing:
+                    self._take_picture(loop)  # else the first frame is to take the old one's place
                 ending = self._go_on(Run(loop, clock, Pacer(self._screen.now())))
                 loop.end()
             finally:
+                canvas = loop.program.sketch.canvas
+                self._size = canvas.width, canvas.height
+                self._last.stop()
                 self._filming.stop()
                 self._watch.add([*loop.program.files, *files_read()])
                 self._explorer.end()
@@ -239,7 +244,8 @@ class Player:
         if is_new:
             self._screen.pace(progress.wanted_rate)
             self._film(run)
-        if is_new or self._screen.is_damaged or self._explorer.has_overlay:
+            self._take_picture(run.loop)
+        elif self._screen.is_damaged or self._explorer.has_overlay:
             self._show_picture()
         if not self._is_moving(run):
             run.pacer.begin_anew(now_s)
@@ -252,7 +258,8 @@ class Player:
         """Draw one frame if the explorer wants it, and show the picture."""
         if self._explorer.takes_step():
             run.skip_time(1 / run.loop.program.sketch.progress.wanted_rate)
-            run.step(self._manner.inputs)
+            if run.step(self._manner.inputs):
+                self._take_picture(run.loop)
         self._show_picture()
         run.pacer.begin_anew(self._screen.now())
 
@@ -274,7 +281,9 @@ class Player:
         except StoppedError as stopped:
             self._show_mistake(stopped.report)
             return False
-        self._clear_mistake()
+        if self._mistake is not None:
+            self._screen.set_title(self._path.stem)
+            self._clear_mistake()
         return bool(changed - shaders) and not is_exchanged
 
     def _wait_for_change(self) -> Ending:
@@ -289,13 +298,24 @@ class Player:
                 self._show_picture()
         return Ending.CLOSED
 
+    def _take_picture(self, loop: Loop) -> None:
+        """Show a picture that is complete; the first one of a text clears the mistake before."""
+        is_first = not self._last.is_of_run
+        self._last.take(loop.program.sketch.canvas.target)
+        if is_first:
+            self._clear_mistake()
+        self._show_picture()
+
     def _show_mistake(self, report: Report) -> None:
         """Tell a mistake, and show it over the last picture, in a window that is large enough."""
         self._say(report)
         self._mistake = report
         self._screen.set_title(f"{self._path.stem}: a mistake in {report.place}")
-        picture = self._picture = self._picture or Target(*FIRST_PICTURE)
-        if (size := shown_size(picture.across, picture.down)) != (picture.across, picture.down):
+        if self._last.target is None:
+            self._last.take(Target(*FIRST_PICTURE))
+        picture = self._last.target
+        assert picture is not None
+        if (size := shown_size(picture.across, picture.down)) != self._size:
             self._screen.set_size(*size)
         self._show_picture()
 
@@ -304,14 +324,14 @@ class Player:
         if self._mistake is None:
             return
         self._mistake = None
-        self._screen.set_title(self._path.stem)
-        if picture := self._picture:
+        if picture := self._last.target:
             self._screen.set_size(picture.across, picture.down)
 
     def _show_picture(self) -> None:
-        if self._picture is None:
+        picture = self._last.target
+        if picture is None:
             return
-        shown = self._explorer.picture(self._picture)
+        shown = self._explorer.picture(picture)
         size = shown.across, shown.down
         if self._explorer.has_overlay:
             shown = self._overlay.over(shown, size, self._explorer.draw_over)

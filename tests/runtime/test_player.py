@@ -373,6 +373,136 @@ def test_mistake_is_cleared_by_the_next_good_text(tmp_path: Path) -> None:
     assert screen.titles[-1] == "sketch"
 
 
+class SeeingScreen(FakeScreen):
+    """A window whose pictures can be looked at: what is in the middle of the left and right half.
+
+    `seen` says it of each picture: when, the two colours, and the window's size.
+    """
+
+    def __init__(self, closes_s: float) -> None:
+        super().__init__(closes_s)
+        self.backend: CpuBackend = CpuBackend()  # type: ignore[assignment] # it draws
+        self.seen: list[tuple[float, tuple[int, ...], tuple[int, ...], tuple[int, int]]] = []
+        self.size = (0, 0)
+
+    def set_size(self, width: int, height: int) -> None:
+        self.size = width, height
+
+    def show(self, target: Target) -> None:
+        super().show(target)
+        pixels = self.backend.read(target)
+        height, width, _ = pixels.shape
+        left, right = pixels[height - 5, width // 4, :3], pixels[height - 5, 3 * width // 4, :3]
+        seen = (tuple(side.tolist()) for side in (left, right))
+        self.seen.append((self.time_s, *seen, self.size))
+
+
+BLUE, RED = (0, 0, 250), (250, 0, 0)
+GOOD = """
+def setup():
+    size(480, 200)
+def draw():
+    background(0, 0, 250)
+"""
+HALF_DRAWN = """
+def setup():
+    size(480, 200)
+    background(250, 0, 0)
+def draw():
+    background(250, 0, 0)
+    get(1, 1)
+    elipse(1)
+"""
+
+
+def dimmed(color: tuple[int, ...]) -> tuple[int, ...]:
+    """Return what a colour becomes under the panel: 0xB0 of 255 of 16, 20, 24."""
+    return tuple(
+        pytest.approx(own + (dark - own) * 0xB0 / 255, abs=2)
+        for own, dark in zip(color, (16, 20, 24), strict=True)
+    )
+
+
+def test_mistake_in_the_first_frame_lies_over_the_old_texts_picture(tmp_path: Path) -> None:
+    screen = SeeingScreen(closes_s=1.0)
+    sketch = written(tmp_path, GOOD)
+    screen.plan[0.3] = saved(sketch, HALF_DRAWN)
+    screen.plan[0.6] = saved(sketch, GOOD.replace("0, 0, 250", "250, 0, 0"))
+
+    play(sketch, screen)
+
+    assert screen.seen[-1][1] == RED
+    others = [left for time_s, left, *_ in screen.seen if time_s > 0.3 and left not in (BLUE, RED)]
+    assert others
+    assert all(left == dimmed(BLUE) for left in others)
+
+
+def test_mistake_in_a_later_frame_lies_over_the_frame_before(tmp_path: Path) -> None:
+    text = """
+    def setup():
+        size(480, 200, P3D)
+    def draw():
+        background(0, 0, 250) if frameCount < 5 else background(250, 0, 0)
+        if frameCount == 5:
+            loadPixels()
+            elipse(1)
+    """
+    screen = SeeingScreen(closes_s=0.5)
+
+    play(written(tmp_path, text), screen)
+
+    assert screen.seen[-1][1] == dimmed(BLUE)
+
+
+@pytest.mark.parametrize("reads", ["", "get(1, 1)"])
+def test_picture_that_a_broken_frame_has_turned_over_is_shown_right(
+    tmp_path: Path, reads: str
+) -> None:
+    text = f"""
+    def setup():
+        size(480, 200, P2D)
+        noStroke()
+    def draw():
+        if frameCount == 1:
+            background(250, 0, 0)
+            fill(0, 0, 250)
+            rect(0, 100, 480, 100)
+        else:
+            {reads}
+            elipse(1)
+    """
+    screen = SeeingScreen(closes_s=0.5)
+
+    play(written(tmp_path, text), screen)
+
+    assert screen.seen[-1][1] == dimmed(BLUE)
+
+
+def test_window_gets_the_size_of_the_picture_that_a_mistake_lies_over(tmp_path: Path) -> None:
+    screen = SeeingScreen(closes_s=1.0)
+    sketch = written(tmp_path, GOOD)
+    smaller = HALF_DRAWN.replace("480, 200", "600, 50")
+    screen.plan[0.3] = saved(sketch, smaller)
+    screen.plan[0.6] = saved(sketch, smaller.replace("elipse(1)", "pass"))
+
+    play(sketch, screen)
+
+    sizes = [size for time_s, *_, size in screen.seen if time_s < 0.6]
+    assert sizes[-1] == (480, 200)
+    assert screen.seen[-1][-1] == (600, 50)
+
+
+def test_title_that_a_mended_sketch_sets_stays(tmp_path: Path) -> None:
+    screen = FakeScreen(closes_s=1.0)
+    good = "def setup():\n    surface.setTitle('mine')\ndef draw():\n    background(0)\n"
+    sketch = written(tmp_path, good + "    elipse(1)\n")
+    screen.plan[0.3] = saved(sketch, good)
+
+    play(sketch, screen)
+
+    assert screen.titles[-1] == "mine"
+
+
 RANDOM = """
 def setup():
     size(20, 20)

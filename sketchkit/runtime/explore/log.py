@@ -15,7 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.core.style import Style
-from sketchkit.draw.commands import Clear, Command, Draw, DrawList, DrawMesh, Upload
+from sketchkit.draw.commands import (
+    Clear,
+    Command,
+    Draw,
+    DrawList,
+    DrawMesh,
+    Upload,
+    target_of,
+)
 from sketchkit.draw.meshes import MeshPart
 from sketchkit.draw.recorder import Kind, Recorder, ShapeRun, origin_of
 from sketchkit.draw.resources import Pixels, Target
@@ -196,7 +204,7 @@ class FrameLog:
             self.begin_frame(frame)
         commands = _with_own_pixels(commands)
         records, self._pending = self._pending, None
-        targets = [_target(command) for command in commands.commands]
+        targets = [target_of(command) for command in commands.commands]
         surfaces = {target: _as_it_is(target) for target in targets}
         setter: Chain = ()
         if self.notes is not None and targets and records is None:
@@ -299,10 +307,6 @@ def _with_own_pixels(commands: DrawList) -> DrawList:
 def as_chain(origin: object) -> Chain:
     """Return the calls that a recorder has noted; none if it has not."""
     return origin if isinstance(origin, tuple) else ()
-
-
-def _target(command: Command) -> Target:
-    return command.pipeline.target if isinstance(command, Draw | DrawMesh) else command.target
 
 
 def _as_it_is(target: Target) -> Target:
