@@ -6,6 +6,7 @@ sketch itself notices nothing: its pixels, its state and its stream of drawing s
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Protocol
 
 from sketchkit.api.graphics import PGraphics
@@ -56,6 +57,13 @@ class Explorer(Protocol):
         """Return whether one frame is to be drawn though paused. Asked for once, granted once."""
         ...
 
+    def takes_written(self, path: Path) -> bool:
+        """Return whether a file has changed only since it was written here, with what runs already.
+
+        Asked for once, granted once: nothing begins anew then.
+        """
+        ...
+
     def picture(self, target: Target) -> Target:
         """Return what to show instead of the sketch's picture; mostly that itself.
 
@@ -91,6 +99,10 @@ class NoExplorer:
 
     def takes_step(self) -> bool:
         """Want none."""
+        return False
+
+    def takes_written(self, path: Path) -> bool:
+        """Write none."""
         return False
 
     def picture(self, target: Target) -> Target:

@@ -14,6 +14,7 @@ import os
 import random
 import sys
 import warnings
+from collections import deque
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
@@ -47,6 +48,7 @@ Tell = Callable[[Path, int, str], None]
 
 FLAGS = ("keyPressed", "mousePressed")  # both a value and a function of the sketch
 KEY_HANDLERS = ("keyPressed", "keyReleased", "keyTyped")  # these may set `key`
+FORMER_TEXTS = 20  # that are remembered
 MODULE = "__main__"  # so that `if __name__ == "__main__":` holds
 
 
@@ -85,6 +87,8 @@ class Program:
         What the student's file has defined.
     sources : dict
         The sketch's file and its modules as they were read, by file name.
+    former : deque of dict
+        The same before each exchange: what was drawn until then comes from these texts.
     """
 
     def __init__(self, source: Source, sketch: Sketch, tell: Tell) -> None:
@@ -97,6 +101,7 @@ class Program:
         self._running = running.Running(self.names, [name for name in own if name not in values])
         self._unhidden = set(values)  # live values of which the sketch has not been told
         self.sources = {str(source.path): source}
+        self.former: deque[dict[str, Source]] = deque(maxlen=FORMER_TEXTS)
         family = Family(source.path.parent, self.names, self.sources, source.python)
         self._finder = SiblingFinder(family)
         self.names["add_library"] = adder(self.names)
@@ -175,6 +180,7 @@ class Program:
         """
         refuse_hidden_modules(source)
         old = self._kept = self._parts()
+        self.former.append(old.sources)
         self.sources.update({str(source.path): source})
         self._finder.forget()
         self._begin(source)
@@ -189,6 +195,12 @@ class Program:
         adopt([self.namespace, *modules])
         self.sketch.handlers.clear()
         self._take_handlers()
+
+    def follow_file(self, source: Source) -> None:
+        """Take that its file holds another text now, which means what is run already."""
+        self.former.append(dict(self.sources))
+        self.source = source
+        self.sources[str(source.path)] = source
 
     def put_back(self) -> None:
         """Make the sketch what it was before the last `exchange`."""

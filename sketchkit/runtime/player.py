@@ -269,7 +269,8 @@ class Player:
             return False
         shaders = loaded_files()
         self._watch.add([*loop.program.files, *shaders, *files_read()])
-        changed = set(self._watch.changed())
+        saved = self._watch.changed()
+        changed = {path for path in saved if not self._explorer.takes_written(path)}
         if not changed:
             return False
         try:

@@ -103,9 +103,22 @@ class Source:
         """What Python runs."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            code = compile(self._meant, str(self.path), "exec", dont_inherit=True)
+            tree = self.tree
+            if self.python == 2:  # one of its own: it is changed
+                tree = with_settings_first(self._converted.tree(str(self.path)))
+            code = self.compiled(tree)
         self.remarks.extend((warning.lineno, f"{warning.message}") for warning in caught)
         return code
+
+    @cached_property
+    def parts(self) -> frozenset[int]:
+        """The `id()` of its code, and of the code of all functions and classes within."""
+        found, left = set(), [self.code]
+        while left:
+            code = left.pop()
+            found.add(id(code))
+            left += [own for own in code.co_consts if isinstance(own, CodeType)]
+        return frozenset(found)
 
     def line(self, number: int) -> str:
         """Return a line, counted from 1; nothing if there is no such line."""
@@ -138,12 +151,10 @@ class Source:
     def _converted(self) -> Converted:
         return convert(text_of(self.data), str(self.path))
 
-    @property
-    def _meant(self) -> ast.Module:
-        """The tree that is run: what is Python 2 is changed in a tree of its own."""
-        if self.python == 3:
-            return self.tree
-        return python_3(with_settings_first(self._converted.tree(str(self.path))))
+    def compiled(self, tree: ast.Module) -> CodeType:
+        """Return the code of a tree like its own; a tree in Python 2 is changed by it."""
+        meant = tree if self.python == 3 else python_3(tree)
+        return compile(meant, str(self.path), "exec", dont_inherit=True)
 
     def _is_as_written(self, number: int) -> bool:
         """Tell whether a line is read as it stands in the file, so that columns are the same."""

@@ -134,7 +134,7 @@ def _unseen(
         if reason.color and np.abs(np.subtract(reason.color[:3], color)).max() > 2 * ALIKE:
             return []
         if reason.verdict is Verdict.HIDDEN and chain:
-            found.append(Unseen(chain, sites(chain, around.sources)[0], count, reason.text))
+            found.append(Unseen(chain, sites(chain, around.texts)[0], count, reason.text))
             if reason.culprit is not None:
                 culprits.add(chain_of(case.log, reason.culprit))
     return [unseen for unseen in found if unseen.chain not in culprits]

@@ -4,15 +4,40 @@ from __future__ import annotations
 
 import ast
 import itertools
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import CodeType
 
 from sketchkit.runtime.explore.noting import Call, Chain
 from sketchkit.runtime.source import Position, Source
 
 LONGEST = 72  # characters of a call that are shown
-Sources = Mapping[str, Source]
+
+
+@dataclass(frozen=True)
+class Texts:
+    """The texts of a sketch, by file name.
+
+    Attributes
+    ----------
+    now : mapping
+        What it runs.
+    former : sequence of mapping
+        What it ran before a saved text took its place: some of the picture may come from there.
+    """
+
+    now: Mapping[str, Source]
+    former: Sequence[Mapping[str, Source]] = ()
+
+    def of(self, code: CodeType) -> Source | None:
+        """Return the text that some code was made from."""
+        name = code.co_filename
+        now = self.now.get(name)
+        if now is None or not self.former or id(code) in now.parts:
+            return now
+        sources = (texts[name] for texts in reversed(self.former) if name in texts)
+        return next((source for source in sources if id(code) in source.parts), now)
 
 
 @dataclass(frozen=True)
@@ -53,9 +78,9 @@ class Site:
         return f"in {self.function}()" if self.function else "outside of all functions"
 
 
-def sites(chain: Chain, sources: Sources) -> list[Site]:
+def sites(chain: Chain, texts: Texts) -> list[Site]:
     """Return the calls of a chain, innermost first; equal ones that follow each other are one."""
-    single = [_site(call, sources) for call in chain]
+    single = [_site(call, texts) for call in chain]
     grouped = [(site, len(list(same))) for site, same in itertools.groupby(single)]
     return [
         Site(site.file, site.line, site.function, site.text, site.name, count)
@@ -63,9 +88,9 @@ def sites(chain: Chain, sources: Sources) -> list[Site]:
     ]
 
 
-def _site(call: Call, sources: Sources) -> Site:
+def _site(call: Call, texts: Texts) -> Site:
     code = call.code
-    source = sources.get(code.co_filename)
+    source = texts.of(code)
     position = position_of(call)
     line = position.line if position else code.co_firstlineno
     function = "" if code.co_name == "<module>" else code.co_qualname.replace(".<locals>", "")
@@ -99,12 +124,12 @@ def shortened(text: str) -> str:
     return line if len(line) <= LONGEST else f"{line[: LONGEST - 4]} ..."
 
 
-def shape_begin(endshape: Call, sources: Sources) -> int | None:
+def shape_begin(endshape: Call, texts: Texts) -> int | None:
     """Return the line of the `beginShape()` that an `endShape()` belongs to, if it is plain.
 
     It is the last one before it in the same function.
     """
-    source, position = sources.get(endshape.code.co_filename), position_of(endshape)
+    source, position = texts.of(endshape.code), position_of(endshape)
     if source is None or position is None:
         return None
     first = endshape.code.co_firstlineno if endshape.code.co_name != "<module>" else 1

@@ -17,7 +17,7 @@ from sketchkit.draw.pipeline import Clip
 from sketchkit.draw.recorder import ROW, Kind, ShapeRun, origin_of
 from sketchkit.draw.resources import Pixels, Target, Texture
 from sketchkit.draw.stage import Stage
-from sketchkit.runtime.explore.calls import Site, Sources, shape_begin, sites
+from sketchkit.runtime.explore.calls import Site, Texts, shape_begin, sites
 from sketchkit.runtime.explore.layers import Layer, Part
 from sketchkit.runtime.explore.log import FrameLog, Records, as_chain
 from sketchkit.runtime.explore.matrices import in_words, number, without_camera
@@ -36,7 +36,7 @@ class Surroundings:
 
     Attributes
     ----------
-    sources : mapping
+    texts : Texts
         Its files.
     canvas : Target
         The main canvas.
@@ -46,7 +46,7 @@ class Surroundings:
         Names of the variables that images are in.
     """
 
-    sources: Sources
+    texts: Texts
     canvas: Target
     camera: Affine
     images: Mapping[Texture, str]
@@ -63,7 +63,8 @@ def surroundings(program: Program) -> Surroundings:
                 images[own] = name
     canvas = program.sketch.canvas
     camera = getattr(canvas, "_camera")  # noqa: B009 # the seam between sketch and canvas has none
-    return Surroundings(program.sources, canvas.target, camera, images)
+    texts = Texts(program.sources, program.former)
+    return Surroundings(texts, canvas.target, camera, images)
 
 
 @dataclass(frozen=True)
@@ -146,14 +147,14 @@ def describe(log: FrameLog, layer: Layer, around: Surroundings) -> Description:
     step = log.steps[layer.moment[0]]
     records = step.records
     if records is None or layer.row < 0:
-        found = sites(chain_of(log, layer), around.sources)
+        found = sites(chain_of(log, layer), around.texts)
         paint = Paint()
         return Description(layer, step.frame, found, [], None, (1, 1), "pixels", paint)
     chain = records.call(layer.row)
     row = records.table[layer.row]
     kind, state = Kind(int(row["kind"])), int(row["state"])
     stage = records.stages[state]
-    found, which = sites(chain, around.sources), _which(records, layer.row, chain)
+    found, which = sites(chain, around.texts), _which(records, layer.row, chain)
     paint = Paint(fill=unpacked(int(row["fill"])))
     plain = Description(layer, step.frame, found, [], None, which, kind.name.lower(), paint)
     if kind is Kind.CLEAR:
@@ -161,10 +162,10 @@ def describe(log: FrameLog, layer: Layer, around: Surroundings) -> Description:
     described = replace(_with_stage(plain, stage, around), paint=_paint_of(records, layer.row))
     if kind is Kind.MESH:
         part = records.parts[int(row["link"])]
-        made, own = _made(part, layer, around.sources), _inner_paint(part, layer)
+        made, own = _made(part, layer, around.texts), _inner_paint(part, layer)
         described = replace(described, made=made, paint=own, kind="retained shape")
     elif kind is Kind.SHAPE and chain:
-        described = replace(described, began=shape_begin(chain[0], around.sources))
+        described = replace(described, began=shape_begin(chain[0], around.texts))
     modelview = tuple(records.matrices[12 * state : 12 * state + 12])
     is_lit = stage.lights is not None and layer.part is Part.FILL
     return replace(
@@ -255,12 +256,12 @@ def _rgba(layer: Layer) -> Color:
     return red, green, blue, alpha
 
 
-def _made(part: MeshPart | None, layer: Layer, sources: Sources) -> list[Site]:
+def _made(part: MeshPart | None, layer: Layer, texts: Texts) -> list[Site]:
     """Return where a retained shape was made."""
     source = None if part is None else part.mesh.source
     if source is None or layer.inner_row is None:
         return []
-    return sites(as_chain(origin_of(source.origins, layer.inner_row)), sources)
+    return sites(as_chain(origin_of(source.origins, layer.inner_row)), texts)
 
 
 def _camera(stage: Stage, around: Surroundings) -> Affine:

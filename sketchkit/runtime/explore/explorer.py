@@ -10,10 +10,11 @@ import time
 from collections import deque
 from collections.abc import Callable
 from contextlib import ExitStack
+from pathlib import Path
 
 from sketchkit.api.events import KeyEvent, MouseEvent
 from sketchkit.api.graphics import PGraphics
-from sketchkit.core.constants import CODED, DOWN, ENTER, LEFT, RIGHT, UP
+from sketchkit.core.constants import CODED, LEFT, RIGHT
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.runtime.events import AnyEvent
@@ -23,12 +24,13 @@ from sketchkit.runtime.explore.inspection import Inspection, look, report, short
 from sketchkit.runtime.explore.log import MOST_KEPT, FrameLog
 from sketchkit.runtime.explore.modes import HELP, SPEEDS, Modes
 from sketchkit.runtime.explore.noting import noting
+from sketchkit.runtime.explore.numbers_panel import NumbersPanel
 from sketchkit.runtime.explore.panel import draw_graph, draw_panel
 from sketchkit.runtime.explore.scenery import Scenery
-from sketchkit.runtime.explore.tweaks import Tweaks
 from sketchkit.runtime.explore.view import View, redrawn
 from sketchkit.runtime.loader import Tell
 from sketchkit.runtime.loop import Loop
+from sketchkit.runtime.source import Source
 
 KEPT_ALWAYS = 50_000  # vertices of past frames, while nobody looks
 FIRST_CHECK = 2  # frames, until it is looked at whether anything shows
@@ -68,8 +70,9 @@ class SketchExplorer:
         self._pinned: tuple[int, int] | None = None
         self._looked: tuple[tuple[int, int], int, Inspection] | None = None
         self._remark: tuple[Remark, float] | None = None
-        self._tweaks: Tweaks | None = None
-        self._chosen = 0
+        self._numbers = NumbersPanel()
+        self._source: Source | None = None
+        self._checked_from = 0
 
     # What the player asks
 
@@ -94,12 +97,11 @@ class SketchExplorer:
         self._loop, self._renderer = loop, renderer
         limit = MOST_KEPT if self._modes.inspect else KEPT_ALWAYS
         self._log = FrameLog(None, limit, lambda: loop.frame_count)
-        self._log.forgets = False
         self._view = None
         self._frame, self._counts = -1, (0, 0, 0, 0)
-        self._looked = self._remark = self._tweaks = None
+        self._looked = self._remark = None
         renderer.readers.append(self._log)
-        self._begin_notes()
+        self._take_text(0)
 
     def end(self) -> None:
         """Let go of the sketch."""
@@ -115,17 +117,25 @@ class SketchExplorer:
         wants, self._wants_step = self._wants_step, False
         return wants
 
+    def takes_written(self, path: Path) -> bool:
+        """Return whether a file was written by the explorer, and holds what runs already."""
+        return self._numbers.tweaks is not None and self._numbers.tweaks.takes_written(path)
+
     def handles(self, event: AnyEvent) -> bool:
         """Take an event; return whether the sketch does not get it."""
         if isinstance(event, KeyEvent | MouseEvent) and event.action == KeyEvent.PRESS:
             self._remark = None
+        if self._modes.numbers and self._loop is not None:
+            self._numbers.follow(self._loop.program)
         match event:
             case KeyEvent(key=key, keyCode=code) if key == CODED and F1 <= code < F1 + 12:
                 if event.action == KeyEvent.PRESS and (act := KEYS.get(code - F1 + 1)):
                     act(self)
                 return True
             case KeyEvent() if self._modes.numbers:
-                return self._change_number(event)
+                return self._numbers.handles_key(event)
+            case MouseEvent() if self._modes.numbers and self._numbers.handles_mouse(event):
+                return True
             case MouseEvent():
                 return self._handles_mouse(event)
         return False
@@ -139,6 +149,8 @@ class SketchExplorer:
         loop = self._loop
         if loop is None or self._renderer is None:
             return target
+        if loop.program.source is not self._source:
+            self._take_text(max(self._frame, 0))
         if loop.frame_count != self._frame:
             self._take_frame(loop.frame_count)
         scenery, view = self._scenery, self._view
@@ -160,8 +172,9 @@ class SketchExplorer:
             scenery.draw(canvas, view, wire=modes.wire, has_gizmos=modes.gizmos)
         if modes.graph:
             self._draw_graph(canvas)
-        if modes.numbers:
-            self._draw_numbers(canvas)
+        if modes.numbers and self._loop is not None:
+            self._numbers.follow(self._loop.program)
+            self._numbers.draw(canvas)
         if modes.inspect:
             self._draw_inspection(canvas)
         self._draw_state(canvas)
@@ -213,21 +226,20 @@ class SketchExplorer:
             self._log.limit = KEPT_ALWAYS
             self._notes.close()
 
-    def show_numbers(self) -> None:
-        """Show the numbers of the sketch, or no longer."""
-        self.toggle("numbers")
-        if not self._modes.numbers or self._loop is None:
-            return
-        program = self._loop.program
-        if self._tweaks is None or not self._tweaks.is_of(program):
-            self._tweaks, self._chosen = Tweaks(program), 0
-
     # Frames
 
     def _begin_notes(self) -> None:
         self._notes.close()
         if self._loop is not None:
             self._log.notes = self._notes.enter_context(noting(self._loop.program.names))
+
+    def _take_text(self, frame: int) -> None:
+        """Take that a sketch runs another text after a frame: what it draws is looked at anew."""
+        self._source = None if self._loop is None else self._loop.program.source
+        self._checked_from = frame
+        self._looked = None
+        self._log.forgets = False
+        self._begin_notes()
 
     def _take_frame(self, number: int) -> None:
         """Take that a frame has been drawn."""
@@ -240,11 +252,12 @@ class SketchExplorer:
         stats, (calls, vertices, _, _) = self._renderer.stats, self._counts
         own = stats.draw_calls - calls, stats.vertices - vertices
         self._counts = (stats.draw_calls, stats.vertices, *own)
-        is_last = number > 0 and not self._loop.is_drawing
-        if not self._log.forgets and (number >= FIRST_CHECK or is_last):
+        count = number - self._checked_from
+        is_last = count > 0 and not self._loop.is_drawing
+        if not self._log.forgets and (count >= FIRST_CHECK or is_last):
             self._check_picture(number)
             self._log.forgets = True
-        if number >= NOTED_FRAMES and not self._modes.inspect:
+        if count >= NOTED_FRAMES and not self._modes.inspect:
             self._notes.close()
 
     def _check_picture(self, number: int) -> None:
@@ -333,38 +346,6 @@ class SketchExplorer:
             self._looked = place, self._frame, found
         return self._looked[2]
 
-    # Numbers
-
-    def _draw_numbers(self, canvas: PGraphics) -> None:
-        tweaks = self._tweaks
-        if tweaks is None or not tweaks.numbers:
-            draw_panel(canvas, ["There are no numbers in this sketch."])
-            return
-        rows = max(canvas.height // 16 - 4, 1)
-        first = max(min(self._chosen - rows // 2, len(tweaks.numbers) - rows), 0)
-        shown = tweaks.numbers[first : first + rows]
-        lines = ["Numbers: up, down; left, right change; Enter writes"]
-        lines += [("* " if own.is_changed else "  ") + tweaks.label(own) for own in shown]
-        draw_panel(canvas, lines, marked=self._chosen - first + 1)
-
-    def _change_number(self, event: KeyEvent) -> bool:
-        """Take a key while the numbers are shown."""
-        tweaks = self._tweaks
-        code = event.keyCode if event.key == CODED else event.key
-        if tweaks is None or not tweaks.numbers or code not in (UP, DOWN, LEFT, RIGHT, ENTER):
-            return False
-        if event.action != KeyEvent.PRESS:
-            return True
-        if code == ENTER:
-            tweaks.write()
-        elif code in (UP, DOWN):
-            self._chosen = (self._chosen + (1 if code == DOWN else -1)) % len(tweaks.numbers)
-        else:
-            size = 10 if event.isShiftDown() else 1
-            tweaks.numbers[self._chosen].step(size if code == RIGHT else -size)
-            tweaks.apply()
-        return True
-
 
 CLICKS = {MouseEvent.PRESS, MouseEvent.RELEASE, MouseEvent.CLICK}
 KEYS: dict[int, Callable[[SketchExplorer], None]] = {
@@ -378,7 +359,7 @@ KEYS: dict[int, Callable[[SketchExplorer], None]] = {
     9: lambda own: own.toggle("graph"),
     10: SketchExplorer.next_wire,
     11: lambda own: own.toggle("gizmos"),
-    12: SketchExplorer.show_numbers,
+    12: lambda own: own.toggle("numbers"),
 }
 
 

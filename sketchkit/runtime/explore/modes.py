@@ -19,7 +19,7 @@ HELP = (
     "F9   time of frames, draw calls, vertices",
     "F10  wire frame; then normals too; then off",
     "F11  axes, ground, lights and camera",
-    "F12  numbers of the sketch: up and down choose, left and right change, Enter writes them",
+    "F12  numbers of the sketch: drag one, or the wheel, or the arrows; Enter writes them",
 )
 
 

@@ -19,6 +19,7 @@ from sketchkit.runtime.explore.explorer import SketchExplorer
 from sketchkit.runtime.headless import Launch, opened
 from sketchkit.runtime.loop import Loop
 from sketchkit.runtime.overlay import Overlay
+from sketchkit.runtime.reload import exchange
 from tests.runtime.sketches import Remarks, written
 
 SOLID = """\
@@ -263,6 +264,47 @@ def test_enter_writes_the_numbers_into_the_file(tmp_path: Path) -> None:
 
     text = (tmp_path / "sketch.py").read_text(encoding="utf-8")
     assert text == FLAT.replace("background(255)", "background(250)")
+
+
+def exchanged(at: Stand, text: str) -> None:
+    """Give the running sketch another text, as `--keep-state` does."""
+    path = at.loop.program.source.path
+    path.write_text(text, encoding="utf-8")
+    assert exchange(at.loop, [path])
+
+
+def test_exchanged_text_is_followed(tmp_path: Path) -> None:
+    with stand(tmp_path, FLAT) as at:
+        at.step(5)
+        at.key(8)
+        at.step()
+        at.key(12)
+        at.shown()
+
+        exchanged(at, "# one line more\nother = 1\n" + FLAT.replace("square", "ellipse"))
+        old = at.explorer._inspection((52, 52))
+        at.press(CODED, RIGHT)  # the first number is `other` now
+        at.step()
+        new = at.explorer._inspection((52, 52))
+        other = at.loop.program.namespace["other"]
+
+    assert old is not None
+    assert old.answer is not None
+    assert old.answer.title == "sketch.py, line 8: square(50, 50, edge)"
+    assert new is not None
+    assert new.answer is not None
+    assert new.answer.line == 10
+    assert other == 2
+
+
+def test_exchanged_text_that_draws_nothing_is_told(tmp_path: Path) -> None:
+    remarks = Remarks()
+    with stand(tmp_path, FLAT, remarks) as at:
+        at.step(9)
+        exchanged(at, FLAT.replace("50, 50", "-90, 50").replace("150, 75", "950, 75"))
+        at.step(3)
+
+    assert [line for _, line, _ in remarks] == [8]
 
 
 @pytest.mark.parametrize("loops", [True, False], ids=["draws on", "stands still"])
