@@ -57,6 +57,13 @@ class Explorer(Protocol):
         """Return whether one frame is to be drawn though paused. Asked for once, granted once."""
         ...
 
+    def takes_film(self) -> bool:
+        """Return whether a film is to begin, or to end if one is being made.
+
+        Asked for once, granted once.
+        """
+        ...
+
     def takes_written(self, path: Path) -> bool:
         """Return whether a file has changed only since it was written here, with what runs already.
 
@@ -99,6 +106,10 @@ class NoExplorer:
 
     def takes_step(self) -> bool:
         """Want none."""
+        return False
+
+    def takes_film(self) -> bool:
+        """Make none."""
         return False
 
     def takes_written(self, path: Path) -> bool:

@@ -14,8 +14,6 @@ from sketchkit.assets.movies.encoder import MovieError
 from sketchkit.assets.movies.movie import Movie
 from sketchkit.draw.vertex import U8
 
-KEY_CODE = 115  # F4: hardly a sketch uses it
-
 
 class Filming:
     """Makes `movie-0001.mp4` and so on, beside the sketch; GIFs where there is no PyAV.

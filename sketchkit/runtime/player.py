@@ -20,7 +20,7 @@ from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.runtime.events import AnyEvent
 from sketchkit.runtime.explorer import Explorer, NoExplorer
-from sketchkit.runtime.filming import KEY_CODE, Filming
+from sketchkit.runtime.filming import Filming
 from sketchkit.runtime.headless import Launch, opened
 from sketchkit.runtime.inputs import Inputs, Live
 from sketchkit.runtime.last_picture import LastPicture
@@ -199,9 +199,11 @@ class Player:
         loop, screen, inputs = run.loop, self._screen, self._manner.inputs
         while not (screen.is_closed or loop.is_finished):
             for event in screen.wait(self._wait_s(run)):
-                if not (self._explorer.handles(event) or self._toggles_film(event, run)):
+                if not self._explorer.handles(event):
                     for heard in inputs.take(event, run.frame + 1):
                         loop.post(heard)
+            if self._explorer.takes_film():
+                self._toggle_film(run)
             if self._must_begin_anew(loop):
                 return Ending.CHANGED
             is_paused = self._explorer.is_paused
@@ -212,15 +214,11 @@ class Player:
                 self._take_frame(run)
         return Ending.CLOSED
 
-    def _toggles_film(self, event: AnyEvent, run: Run) -> bool:
-        """Begin or end a film if that is what a key means; the sketch does not hear of it."""
-        if not (isinstance(event, KeyEvent) and event.keyCode == KEY_CODE):
-            return False
-        if event.action == KeyEvent.PRESS and not event.is_repeat:
-            self._film(run)  # the last frame is shown until now
-            self._filming.toggle(run.loop.program.sketch.progress.wanted_rate)
-            self._film(run)
-        return True
+    def _toggle_film(self, run: Run) -> None:
+        """Begin a film, or end it."""
+        self._film(run)  # the last frame is shown until now
+        self._filming.toggle(run.loop.program.sketch.progress.wanted_rate)
+        self._film(run)
 
     def _film(self, run: Run) -> None:
         """Add the sketch's own picture to the film, if one is being made."""

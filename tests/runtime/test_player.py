@@ -121,29 +121,38 @@ def test_frameRate_is_measured(tmp_path: Path) -> None:
     assert (tmp_path / "rate.txt").read_text() == "20\n"
 
 
-def test_key_films_what_is_shown_and_the_sketch_does_not_hear_of_it(
+class Director(NoExplorer):
+    """Begins and ends films at times."""
+
+    def __init__(self, screen: FakeScreen, *times_s: float) -> None:
+        self.screen, self.times_s = screen, list(times_s)
+
+    def takes_film(self) -> bool:
+        is_due = bool(self.times_s) and self.screen.time_s >= self.times_s[0]
+        return is_due and bool(self.times_s.pop(0))
+
+
+def test_film_shows_each_frame_as_long_as_the_window_does(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(filming.importlib.util, "find_spec", lambda name: None)
     text = """
     def setup(): frameRate(10)
     def draw(): background(frameCount)
-    def keyPressed(): saveStrings("heard.txt", [key])
     """
     screen, notes = FakeScreen(closes_s=2.0), []
     screen.backend = CpuBackend()
-    press = KeyEvent(KeyEvent.PRESS, keyCode=filming.KEY_CODE)
-    screen.plan = {0.5: lambda: [press], 1.5: lambda: [press]}
+    director = Director(screen, 0.5, 1.5)
 
     path = written(tmp_path, text)
-    Player(path, screen, tell=Remarks().tell, say=print, note=notes.append).play()
+    tell = Remarks().tell
+    Player(path, screen, tell=tell, say=print, note=notes.append, explorer=director).play()
 
     shown = [
         (int(pixels[0, 0, 0]), lasts) for pixels, lasts in pictures(tmp_path / "movie-0001.gif")
     ]
     assert sum(lasts for _, lasts in shown) == pytest.approx(1000, abs=110)
     assert [value for value, _ in shown] == list(range(shown[0][0], shown[0][0] + len(shown)))
-    assert not (tmp_path / "heard.txt").exists()
     assert notes[0] == "Filming movie-0001.gif. The same key ends it."
 
 
@@ -153,10 +162,10 @@ def test_film_is_whole_when_the_window_is_closed(
     monkeypatch.setattr(filming.importlib.util, "find_spec", lambda name: None)
     screen = FakeScreen(closes_s=1.0)
     screen.backend = CpuBackend()
-    screen.plan = {0.5: lambda: [KeyEvent(KeyEvent.PRESS, keyCode=filming.KEY_CODE)]}
+    director, tell = Director(screen, 0.5), Remarks().tell
 
     path = written(tmp_path, "def draw(): background(frameCount)")
-    Player(path, screen, tell=Remarks().tell, say=print, note=lambda text: None).play()
+    Player(path, screen, tell=tell, say=print, note=str, explorer=director).play()
 
     assert len(pictures(tmp_path / "movie-0001.gif")) > 10
 

@@ -1,106 +1,16 @@
-"""A real window, on a display of its own: keys and mouse are pressed by xdotool.
-
-Nothing here waits for a time: the sketch says on its output what it has seen.
-"""
+"""A real window, on a display of its own: keys and mouse are pressed by xdotool."""
 
 from __future__ import annotations
 
-import os
-import shutil
-import subprocess
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
 from pathlib import Path
-
-import pytest
-from PIL import Image, ImageGrab
 
 from sketchkit.backends.listing import ListingBackend
 from sketchkit.runtime.headless import Launch, render
 from sketchkit.runtime.replay import read_replay
 from tests.runtime.sketches import Remarks, written
+from tests.runtime.windows import needs_a_display, shown
 
-ROOT = Path(__file__).parents[2]
-TOOLS = ("Xvfb", "xdotool")
-
-pytestmark = [
-    pytest.mark.skipif(
-        not all(map(shutil.which, TOOLS)), reason=f"{' and '.join(TOOLS)} are not installed"
-    ),
-    pytest.mark.timeout(60),
-]
-
-
-@pytest.fixture(scope="module")
-def display() -> Iterator[str]:
-    """Start an X server; the number of its display is the server's choice."""
-    read, write = os.pipe()
-    command = [
-        "Xvfb",
-        "-displayfd",
-        str(write),
-        "-screen",
-        "0",
-        "800x600x24",
-        "-nolisten",
-        "tcp",
-        "-noreset",
-    ]
-    with subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL) as server:
-        os.close(write)
-        with os.fdopen(read) as answer:
-            yield f":{answer.readline().strip()}"
-        server.terminate()
-
-
-class Running:
-    """A sketch in its window."""
-
-    def __init__(self, process: subprocess.Popen[str], environment: dict[str, str]) -> None:
-        self.process = process
-        self._environment = environment
-
-    def says(self, words: str) -> str:
-        """Read the sketch's output up to a line with these words in it, and return that."""
-        assert self.process.stdout
-        for line in self.process.stdout:
-            if words in line:
-                return line.strip()
-        raise AssertionError(f"the sketch ended without saying {words!r}")
-
-    def xdotool(self, *args: str) -> None:
-        subprocess.run(["xdotool", *args], env=self._environment, check=True, timeout=30)
-
-    def shows(self, is_so: Callable[[Image.Image], bool]) -> Image.Image:
-        """Look at the screen until it is so, and return it."""
-        while self.process.poll() is None:
-            with suppress(OSError):  # the server has no time yet
-                screen = ImageGrab.grab(xdisplay=self._environment["DISPLAY"])
-                if is_so(screen):
-                    return screen
-        raise AssertionError("the sketch has ended")
-
-    def ends(self) -> int:
-        return self.process.wait(timeout=30)
-
-
-@contextmanager
-def shown(sketch: Path, display: str, *options: str) -> Iterator[Running]:
-    environment = {**os.environ, "DISPLAY": display, "PYTHONPATH": str(ROOT)}
-    environment.pop("WAYLAND_DISPLAY", None)
-    with subprocess.Popen(
-        [sys.executable, "-u", "-m", "sketchkit", "run", *options, str(sketch)],
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    ) as process:
-        running = Running(process, environment)
-        try:
-            yield running
-        finally:
-            process.kill()
+pytestmark = needs_a_display
 
 
 def test_key_is_heard_and_escape_closes(tmp_path: Path, display: str) -> None:
@@ -232,7 +142,8 @@ def test_drag_is_no_click_and_buttons_wheel_and_keys_come_in_order(
     ]
 
 
-CYAN, DIMMED_MOST = (0, 200, 200), 100
+CYAN, BLUE, DIMMED_MOST = (0, 200, 200), (0, 0, 200), 100
+ONE_FRAME = "        get(1, 1)\n            elipse(1)\n"  # in red, half drawn
 
 
 def test_broken_text_lies_over_the_picture_until_it_is_mended(tmp_path: Path, display: str) -> None:
@@ -251,11 +162,16 @@ def test_broken_text_lies_over_the_picture_until_it_is_mended(tmp_path: Path, di
         broken = running.shows(lambda screen: screen.getpixel((250, 280)) != CYAN)
         written(tmp_path, text)
         running.shows(lambda screen: screen.getpixel((250, 280)) == CYAN)
+        written(tmp_path, text.replace("0, 200, 200", "200, 0, 0") + ONE_FRAME)
+        stopped = running.shows(lambda screen: screen.getpixel((250, 280)) != CYAN)
+        written(tmp_path, text.replace("0, 200, 200", "0, 0, 200"))
+        running.shows(lambda screen: screen.getpixel((250, 280)) == BLUE)
         running.xdotool("key", "Escape")
 
         assert running.ends() == 0
-    red, green, _ = broken.getpixel((250, 280))
-    assert red < green < DIMMED_MOST  # the picture is still there
+    for picture in (broken, stopped):
+        red, green, _ = picture.getpixel((250, 280))
+        assert red < green < DIMMED_MOST  # the last good picture is still there
     assert broken.crop((0, 0, 500, 150)).convert("L").getextrema()[1] > 200  # and letters
 
 

@@ -38,6 +38,7 @@ NOTED_FRAMES = 2  # at the beginning, so that a sketch that stands still can be 
 TOLD_S = 60.0  # how long a remark stays in the window, if no key is pressed, and no button
 FRAMES_SHOWN = 120
 F1 = 112  # keyCode
+STEP = 6  # F6
 
 
 class SketchExplorer:
@@ -55,7 +56,7 @@ class SketchExplorer:
         self._tell = tell
         self._now = now
         self._modes = Modes()
-        self._is_paused = self._wants_step = False
+        self._is_paused = self._wants_step = self._wants_film = False
         self._loop: Loop | None = None
         self._renderer: Renderer | None = None
         self._stand_in: Target | None = None
@@ -117,6 +118,11 @@ class SketchExplorer:
         wants, self._wants_step = self._wants_step, False
         return wants
 
+    def takes_film(self) -> bool:
+        """Return whether a film is to begin, or to end."""
+        wants, self._wants_film = self._wants_film, False
+        return wants
+
     def takes_written(self, path: Path) -> bool:
         """Return whether a file was written by the explorer, and holds what runs already."""
         return self._numbers.tweaks is not None and self._numbers.tweaks.takes_written(path)
@@ -129,8 +135,7 @@ class SketchExplorer:
             self._numbers.follow(self._loop.program)
         match event:
             case KeyEvent(key=key, keyCode=code) if key == CODED and F1 <= code < F1 + 12:
-                if event.action == KeyEvent.PRESS and (act := KEYS.get(code - F1 + 1)):
-                    act(self)
+                self._take_key(event, code - F1 + 1)
                 return True
             case KeyEvent() if self._modes.numbers:
                 return self._numbers.handles_key(event)
@@ -139,6 +144,11 @@ class SketchExplorer:
             case MouseEvent():
                 return self._handles_mouse(event)
         return False
+
+    def _take_key(self, event: KeyEvent, number: int) -> None:
+        """Do what F1 to F12 stand for; while one is held, only frames go on."""
+        if event.action == KeyEvent.PRESS and (number == STEP or not event.is_repeat):
+            KEYS[number](self)
 
     @property
     def _scenery(self) -> Scenery | None:
@@ -192,6 +202,10 @@ class SketchExplorer:
     def toggle(self, name: str) -> None:
         """Switch something on or off."""
         self._modes = self._modes._replace(**{name: not getattr(self._modes, name)})
+
+    def film(self) -> None:
+        """Begin a film, or end it."""
+        self._wants_film = True
 
     def pause(self) -> None:
         """Stand still, or go on."""
@@ -352,8 +366,9 @@ KEYS: dict[int, Callable[[SketchExplorer], None]] = {
     1: lambda own: own.toggle("help"),
     2: lambda own: own.toggle("camera"),
     3: SketchExplorer.go_home,
+    4: SketchExplorer.film,
     5: SketchExplorer.pause,
-    6: SketchExplorer.step,
+    STEP: SketchExplorer.step,
     7: SketchExplorer.slow_down,
     8: SketchExplorer.inspect,
     9: lambda own: own.toggle("graph"),

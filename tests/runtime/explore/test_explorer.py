@@ -110,7 +110,7 @@ def test_without_a_key_the_picture_is_the_sketchs(tmp_path: Path) -> None:
 def test_function_keys_are_swallowed_and_others_are_not(tmp_path: Path) -> None:
     with stand(tmp_path, FLAT) as at:
         assert at.key(1)
-        assert at.key(4)  # it does nothing, but is the explorer's
+        assert at.key(12)
         assert not at.press("a")
         assert not at.mouse(MouseEvent.PRESS, 10, 10)
 
@@ -137,6 +137,17 @@ def test_pause_stands_still_and_a_step_is_granted_once(tmp_path: Path) -> None:
 
         at.key(5)
         assert not at.explorer.is_paused
+
+
+def test_film_is_wanted_once_for_each_press(tmp_path: Path) -> None:
+    with stand(tmp_path, FLAT) as at:
+        at.key(4)
+        held = KeyEvent(KeyEvent.PRESS, key=CODED, keyCode=115, is_repeat=True)
+        once = at.explorer.takes_film(), at.explorer.takes_film()
+
+        assert at.explorer.handles(held)
+        assert once == (True, False)
+        assert not at.explorer.takes_film()
 
 
 def test_slow_motion_goes_round(tmp_path: Path) -> None:
