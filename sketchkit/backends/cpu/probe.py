@@ -40,6 +40,8 @@ class Fragment(NamedTuple):
         As `Frame.depths` has them.
     uv : (u, v) or None
         The place on the texture.
+    is_discarded : bool
+        Whether a shader of the sketch's own draws nothing there.
     """
 
     triangle: int
@@ -48,6 +50,7 @@ class Fragment(NamedTuple):
     color: U8
     depths: I64
     uv: tuple[float, float] | None
+    is_discarded: bool = False
 
 
 def probe(

@@ -138,7 +138,7 @@ def chain_of(log: FrameLog, layer: Layer) -> Chain:
     """Return the calls of the sketch that have drawn a layer, innermost first."""
     step = log.steps[layer.moment[0]]
     if step.records is None or layer.row < 0:
-        return step.setter
+        return layer.setter
     return step.records.call(layer.row)
 
 

@@ -98,6 +98,7 @@ class SketchExplorer:
         self._loop, self._renderer = loop, renderer
         limit = MOST_KEPT if self._modes.inspect else KEPT_ALWAYS
         self._log = FrameLog(None, limit, lambda: loop.frame_count)
+        self._log.backend = renderer.backend
         self._view = None
         self._frame, self._counts = -1, (0, 0, 0, 0)
         self._looked = self._remark = None
@@ -245,7 +246,8 @@ class SketchExplorer:
     def _begin_notes(self) -> None:
         self._notes.close()
         if self._loop is not None:
-            self._log.notes = self._notes.enter_context(noting(self._loop.program.names))
+            names, each_pixel = self._loop.program.names, self._modes.inspect
+            self._log.notes = self._notes.enter_context(noting(names, each_pixel=each_pixel))
 
     def _take_text(self, frame: int) -> None:
         """Take that a sketch runs another text after a frame: what it draws is looked at anew."""

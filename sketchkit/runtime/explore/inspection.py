@@ -96,8 +96,9 @@ def inspect(
     clock = VirtualClock()
     with opened(launch, renderer, clock) as loop:
         seed_everything(launch.seed)
-        with noting(loop.program.names) as notes:
+        with noting(loop.program.names, each_pixel=True) as notes:
             log = FrameLog(notes)
+            log.backend = backend
             renderer.readers.append(log)
             steps = Steps(loop, clock, launch.replay)
             loop.begin()

@@ -12,6 +12,7 @@ from sketchkit.backends.cpu.frames import average
 from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.vertex import U8
 from sketchkit.runtime.explore.log import Moment
+from sketchkit.runtime.explore.noting import Chain
 
 VISIBLE = 1 / 255  # a share of the colour that shows at all
 CLEAR_SHARE = 0.1  # of a sample's colour: who gives less is not said to have drawn it
@@ -48,12 +49,14 @@ class Layer:
         How much of each sample's colour it has given, 0..1.
     behind, beneath : Layer or None
         What was nearer, and what was drawn over it, where it is hidden.
-    transparent, unchanging, clipped : int
-        Samples where it was drawn with alpha 0, where its blend mode has changed nothing, and
-        which a clip has kept from it.
+    transparent, unchanging, clipped, discarded : int
+        Samples where it was drawn with alpha 0, where its blend mode has changed nothing, which a
+        clip has kept from it, and where its own shader draws nothing.
     uv : (u, v) or None
         The place on the texture.
     pipeline : Pipeline or None
+    setter : Chain
+        Of pixels that were set: by whom.
     change : int
         The most by which it has changed a channel of a sample when it was drawn.
     """
@@ -70,8 +73,10 @@ class Layer:
     transparent: int = 0
     unchanging: int = 0
     clipped: int = 0
+    discarded: int = 0
     uv: tuple[float, float] | None = None
     pipeline: Pipeline | None = None
+    setter: Chain = ()
     change: int = 0
 
     @property

@@ -7,7 +7,7 @@ made from, and forgets what a `background()` in a later frame has covered.
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import ClassVar, NamedTuple, TypeVar, cast
 
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.core.style import Style
+from sketchkit.draw.backend import Backend
 from sketchkit.draw.commands import (
     Clear,
     Command,
@@ -25,11 +26,12 @@ from sketchkit.draw.commands import (
     target_of,
 )
 from sketchkit.draw.meshes import MeshPart
+from sketchkit.draw.pipeline import Pipeline
 from sketchkit.draw.recorder import Kind, Recorder, ShapeRun, origin_of
-from sketchkit.draw.resources import Pixels, Target
+from sketchkit.draw.resources import CubeMap, Pixels, Target
 from sketchkit.draw.rows import Rows
 from sketchkit.draw.stage import Stage
-from sketchkit.runtime.explore.noting import Chain, Notes
+from sketchkit.runtime.explore.noting import Chain, Notes, Writers
 
 MOST_KEPT = 4_000_000  # vertices, of all canvases: what is older is forgotten
 CANVAS_SIZE = 2000  # vertices: what it counts to keep a canvas that is drawn on another one
@@ -90,6 +92,8 @@ class Step(NamedTuple):
         Copies of the images that it is drawn with.
     setter : Chain
         Of an upload: who has set the pixels.
+    writers : dict of int to Chain
+        And who has written single ones of them.
     """
 
     serial: int
@@ -100,6 +104,7 @@ class Step(NamedTuple):
     surfaces: dict[Target, Target]
     pictures: dict[Pixels, Pixels]
     setter: Chain = ()
+    writers: Writers = {}  # nobody changes it
 
     @property
     def size(self) -> int:
@@ -148,6 +153,8 @@ class FrameLog:
     ----------
     frame : int
         The one that is being drawn.
+    backend : Backend or None
+        What draws, to be asked for what shaders of the sketch's own do.
     forgets : bool
         Whether what is covered is forgotten at the next frame.
     steps : dict of int to Step
@@ -166,6 +173,7 @@ class FrameLog:
         self.notes = notes
         self.limit = limit
         self.forgets = True
+        self.backend: Backend | None = None
         self._now = now
         self.steps: dict[int, Step] = {}
         self.histories: weakref.WeakKeyDictionary[Target, History] = weakref.WeakKeyDictionary()
@@ -207,8 +215,10 @@ class FrameLog:
         targets = [target_of(command) for command in commands.commands]
         surfaces = {target: _as_it_is(target) for target in targets}
         setter: Chain = ()
+        writers: Writers = {}
         if self.notes is not None and targets and records is None:
             setter = self.notes.pixel_setters.get(targets[0], ())
+            writers = self.notes.take_writers(targets[0])
         step = Step(
             self._serial,
             self.frame,
@@ -218,6 +228,7 @@ class FrameLog:
             surfaces,
             self._pictures(commands),
             setter,
+            writers,
         )
         self.steps[self._serial] = step
         self._size += step.size
@@ -251,9 +262,9 @@ class FrameLog:
     def _pictures(self, commands: DrawList) -> dict[Pixels, Pixels]:
         """Return copies of the images that are drawn with: they may be changed afterwards."""
         pictures = {}
-        for command in commands.commands:
-            pixels = command.pipeline.texture if isinstance(command, Draw | DrawMesh) else None
-            if not isinstance(pixels, Pixels) or pixels in pictures:
+        draws = (own for own in commands.commands if isinstance(own, Draw | DrawMesh))
+        for pixels in (image for own in draws for image in _images(own.pipeline)):
+            if pixels in pictures:
                 continue
             copy = self._copies.get(pixels)
             if copy is None or copy.version != pixels.version:
@@ -302,6 +313,18 @@ def _with_own_pixels(commands: DrawList) -> DrawList:
         for command in commands.commands
     ]
     return replace(commands, commands=own)
+
+
+def _images(pipeline: Pipeline) -> Iterator[Pixels]:
+    """Yield the images that a draw reads, those of its shader too."""
+    values = pipeline.shading.uniforms.values.values() if pipeline.shading else ()
+    for value in (pipeline.texture, *values):
+        parts = value.faces if isinstance(value, CubeMap) else value
+        yield from (
+            own
+            for own in (parts if isinstance(parts, tuple) else (parts,))
+            if isinstance(own, Pixels)
+        )
 
 
 def as_chain(origin: object) -> Chain:

@@ -13,9 +13,10 @@ from contextlib import contextmanager
 from types import CodeType, FrameType
 from typing import Any, NamedTuple
 
+from sketchkit.api.pixel_array import PixelArray
 from sketchkit.api.pixels import CanvasPixels
 from sketchkit.draw.recorder import Recorder
-from sketchkit.draw.resources import Target
+from sketchkit.draw.resources import Pixels, Target
 
 MOST_CALLS = 200  # of a recursion that goes deeper, the outermost calls are left out
 
@@ -28,6 +29,7 @@ class Call(NamedTuple):
 
 
 Chain = tuple[Call, ...]  # innermost first; empty if no line of the sketch has called
+Writers = dict[int, Chain]  # by the place in `pixels`
 
 
 class Notes:
@@ -43,6 +45,27 @@ class Notes:
         self._names = names
         self._chains: dict[Chain, Chain] = {}
         self.pixel_setters: weakref.WeakKeyDictionary[Target, Chain] = weakref.WeakKeyDictionary()
+        self._writers: weakref.WeakKeyDictionary[Pixels, Writers] = weakref.WeakKeyDictionary()
+        self._images: weakref.WeakKeyDictionary[Target, Pixels] = weakref.WeakKeyDictionary()
+
+    def note_setter(self, target: Target, image: Pixels) -> None:
+        """Note who has pixels of a canvas sent, which lie in an image until then."""
+        self.pixel_setters[target] = self.chain()
+        self._images[target] = image
+
+    def note_writer(self, image: Pixels, place: object) -> None:
+        """Note who has written single pixels of an image, by `set()` or `pixels[i] = ...`."""
+        count = image.width * image.height
+        places = range(*place.indices(count)) if isinstance(place, slice) else [place]
+        chain, writers = self.chain(), self._writers.setdefault(image, {})
+        for own in places:
+            if isinstance(own, int | float):
+                writers[int(own) % count] = chain
+
+    def take_writers(self, target: Target) -> Writers:
+        """Return who has written which pixel of a canvas since this was last asked."""
+        image = self._images.get(target)
+        return {} if image is None else self._writers.pop(image, {})
 
     def chain(self) -> Chain:
         """Return the calls of the sketch that are being carried out; equal ones are one object."""
@@ -57,18 +80,21 @@ class Notes:
 
 
 @contextmanager
-def noting(names: Mapping[str, object]) -> Iterator[Notes]:
+def noting(names: Mapping[str, object], *, each_pixel: bool = False) -> Iterator[Notes]:
     """Note who records rows, in all recorders there are.
 
     Parameters
     ----------
     names : mapping
         What the sketch sees behind its own names (`Program.names`): its code is known by it.
+    each_pixel : bool
+        Whether it is noted as well who writes each pixel: it makes that five times as slow.
     """
     notes = Notes(names)
     # Any: a slot's descriptor and a method, taken from their classes and put back.
     slot: Any = Recorder.__dict__["row_end"]
     touch: Any = CanvasPixels.__dict__["_touch"]
+    write: Any = PixelArray.__dict__["__setitem__"]
 
     def set_row_end(recorder: Recorder, end: int) -> None:
         slot.__set__(recorder, end)
@@ -82,13 +108,20 @@ def noting(names: Mapping[str, object]) -> Iterator[Notes]:
 
     def note_touch(canvas: CanvasPixels) -> None:
         touch(canvas)
-        notes.pixel_setters[canvas._target] = notes.chain()
+        notes.note_setter(canvas._target, canvas._own)
+
+    def note_write(array: PixelArray, place: object, color: object) -> None:
+        write(array, place, color)
+        notes.note_writer(array._image, place)
 
     # Through `type`: for the type checker, the classes stay what they are.
     type.__setattr__(Recorder, "row_end", property(slot.__get__, set_row_end))
     type.__setattr__(CanvasPixels, "_touch", note_touch)
+    if each_pixel:
+        type.__setattr__(PixelArray, "__setitem__", note_write)
     try:
         yield notes
     finally:
         type.__setattr__(Recorder, "row_end", slot)
         type.__setattr__(CanvasPixels, "_touch", touch)
+        type.__setattr__(PixelArray, "__setitem__", write)

@@ -25,6 +25,8 @@ from sketchkit.draw.vertex import F32, U8, VertexBlock
 from sketchkit.draw.vertex import Layer as Block
 from sketchkit.runtime.explore.layers import VISIBLE, History, Layer, Part
 from sketchkit.runtime.explore.log import FrameLog, Moment, Step
+from sketchkit.runtime.explore.noting import Chain
+from sketchkit.runtime.explore.own_shaders import own_fragments
 
 FAR = FARTHEST << 32 | NO_TRIANGLE
 DEEPEST = 6  # canvases drawn on canvases
@@ -110,7 +112,8 @@ def _paint(
         case Upload(_, data, left, top):
             x, y = place[0] - left, place[1] - top
             if 0 <= y < data.shape[0] and 0 <= x < data.shape[1]:
-                _upload(samples, moment, data[y, x])
+                setter = step.writers.get(y * data.shape[1] + x, step.setter)
+                _upload(samples, moment, data[y, x], setter)
         case Draw(pipeline, block, first, count):
             drawn = Range(first, count, IDENTITY)
             vertices = step.commands.blocks[block]
@@ -167,7 +170,8 @@ def _fragments(
     step = log.steps[moment[0]]
     surface = step.surfaces[pipeline.target]
     texture = _texture(log, moment, step, pipeline, depth)
-    return probe(pipeline._replace(target=surface), *geometry, place, texture)
+    known = probe(pipeline._replace(target=surface), *geometry, place, texture)
+    return own_fragments(log, moment, pipeline, place, known)
 
 
 def _texture(
@@ -205,6 +209,9 @@ def _add(samples: _Samples, layer: Layer, fragment: Fragment, pipeline: Pipeline
     layer.covered += int(fragment.is_covered.sum())
     if fragment.is_clipped:
         layer.clipped += int(fragment.is_covered.sum())
+        return
+    if fragment.is_discarded:
+        layer.discarded += int(fragment.is_covered.sum())
         return
     for sample in np.flatnonzero(fragment.is_covered):
         if pipeline.depth_test:
@@ -264,7 +271,7 @@ def _replace_all(samples: _Samples, layer: Layer) -> None:
     layer.covered = len(samples.colors)
 
 
-def _upload(samples: _Samples, moment: Moment, color: U8) -> None:
+def _upload(samples: _Samples, moment: Moment, color: U8, setter: Chain) -> None:
     """Take over a pixel that the sketch has set; the others of the canvas come as they are."""
     mean = average(samples.colors).astype(np.int64)
     if np.abs(mean - color.astype(np.int64)).max() <= 1 and samples.layers:
@@ -272,7 +279,7 @@ def _upload(samples: _Samples, moment: Moment, color: U8) -> None:
         _average_shares(samples)
         return
     layer = _layer(samples, moment, -1, Part.PIXELS)
-    layer.color = color.copy()
+    layer.color, layer.setter = color.copy(), setter
     _replace_all(samples, layer)
 
 

@@ -37,6 +37,8 @@ def why(log: FrameLog, layer: Layer, around: Surroundings) -> str:
         if (layer.beneath.moment[0], layer.beneath.row) == (layer.moment[0], layer.row):
             return "hidden: painted over by its own outline"
         return f"hidden: painted over by {describe(log, layer.beneath, around).title}"
+    if layer.discarded:
+        return "invisible: its shader discards this pixel"
     if layer.transparent:
         return "invisible: its alpha is 0 here"
     if layer.unchanging:

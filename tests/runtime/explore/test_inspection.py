@@ -236,7 +236,20 @@ def test_pixels_that_were_set_lead_to_their_line(tmp_path: Path) -> None:
 
     found = looked_at(tmp_path, text, (5, 0), (50, 50), (80, 80), (5, 5), frame=0)
 
-    assert lines(found) == [8, 8, 3, 2]  # what is set before it is sent is sent at once
+    assert lines(found) == [6, 8, 3, 2]
+
+
+def test_pixels_that_are_set_at_once_lead_to_their_line(tmp_path: Path) -> None:
+    text = """\
+        size(100, 100)
+        background(0)
+        loadPixels()
+        np_pixels[10:20] = 255
+        pixels[3:6] = [color(255, 0, 0)] * 3
+        updatePixels()
+        """
+
+    assert lines(looked_at(tmp_path, text, (5, 15), (5, 0), (6, 0), frame=0)) == [6, 5, 2]
 
 
 def test_filter_is_the_call_that_changed_the_pixel(tmp_path: Path) -> None:
