@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
+import numpy as np
+
 from sketchkit.draw.assemble import Assembler
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.commands import Draw, DrawList, DrawMesh, Upload
@@ -123,7 +125,8 @@ class Renderer:
         rows = Rows(recorder)
         for reader in self.readers:
             reader.read_rows(rows)
-        return Assembler(rows).assemble(expand(rows))
+        with np.errstate(all="ignore"):  # a sketch may draw at NaN: then nothing shows
+            return Assembler(rows).assemble(expand(rows))
 
     def _execute(self, commands: DrawList) -> None:
         is_draw = [isinstance(command, Draw | DrawMesh) for command in commands.commands]

@@ -111,6 +111,13 @@ class Source:
         return code
 
     @cached_property
+    def names(self) -> frozenset[str]:
+        """All names in it, but attributes: variables, and functions that it defines."""
+        nodes = list(ast.walk(self.tree))
+        used = {node.id for node in nodes if isinstance(node, ast.Name)}
+        return frozenset(used | {own.name for own in nodes if isinstance(own, ast.FunctionDef)})
+
+    @cached_property
     def parts(self) -> frozenset[int]:
         """The `id()` of its code, and of the code of all functions and classes within."""
         found, left = set(), [self.code]

@@ -86,6 +86,9 @@ def _remark(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Rema
     red, green, blue = (int(channel) for channel in pixels[0, 0, :3])
     groups = _groups(log, around, frame) or _groups(log, around, 0)
     unseen = _unseen(groups, around, (red, green, blue))
+    if unseen is None:
+        return None
+    unseen += _void(log, around)
     if not unseen:
         return None
     first, *others = unseen
@@ -122,19 +125,30 @@ def _groups(log: FrameLog, around: Surroundings, frame: int) -> dict[Chain, tupl
 
 def _unseen(
     groups: dict[Chain, tuple[Case, int]], around: Surroundings, color: tuple[int, int, int]
-) -> list[Unseen]:
+) -> list[Unseen] | None:
     """Return the calls that do not show, without those that hide the others.
 
-    None if something should show in another colour than the picture has: then nothing is drawn at
-    all, as when a sketch is traced, and nothing can be said.
+    None, and not even an empty list, if something should show in another colour than the picture
+    has: then nothing is drawn at all, as when a sketch is traced, and nothing can be said.
     """
     found, culprits = [], set()
     for chain, (case, count) in list(groups.items())[:MOST_CALLS]:
         reason = reason_of(case)
         if reason.color and np.abs(np.subtract(reason.color[:3], color)).max() > 2 * ALIKE:
-            return []
+            return None
         if reason.verdict is Verdict.HIDDEN and chain:
             found.append(Unseen(chain, sites(chain, around.texts)[0], count, reason.text))
             if reason.culprit is not None:
                 culprits.add(chain_of(case.log, reason.culprit))
     return [unseen for unseen in found if unseen.chain not in culprits]
+
+
+def _void(log: FrameLog, around: Surroundings) -> list[Unseen]:
+    """Return the calls that have drawn nothing at all; none if a hand may yet fill them."""
+    if log.notes is None or around.waits:
+        return []
+    return [
+        Unseen(chain, sites(chain, around.texts)[0], 1, reason)
+        for chain, reason in log.notes.void_calls.items()
+        if chain
+    ]

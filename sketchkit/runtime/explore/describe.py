@@ -25,6 +25,10 @@ from sketchkit.runtime.explore.noting import Chain
 from sketchkit.runtime.loader import Program
 
 DEFAULT_FOV = pi / 3
+HAND = {
+    *("mouseX", "mouseY", "mousePressed", "mouseDragged", "mouseReleased", "mouseClicked"),
+    *("mouseMoved", "mouseWheel", "keyPressed", "keyReleased", "keyTyped", "key", "keyCode"),
+}
 COVERS = (Kind.IMAGE, Kind.LETTER)  # whose tint is in the place of the stroke
 
 Color = tuple[int, int, int, int]  # red, green, blue, alpha
@@ -44,12 +48,15 @@ class Surroundings:
         The modelview with which the main canvas began.
     images : mapping of Texture to str
         Names of the variables that images are in.
+    waits : bool
+        Whether it reads mouse or keys: what is empty now may be filled by hand.
     """
 
     texts: Texts
     canvas: Target
     camera: Affine
     images: Mapping[Texture, str]
+    waits: bool = False
 
 
 def surroundings(program: Program) -> Surroundings:
@@ -64,7 +71,8 @@ def surroundings(program: Program) -> Surroundings:
     canvas = program.sketch.canvas
     camera = getattr(canvas, "_camera")  # noqa: B009 # the seam between sketch and canvas has none
     texts = Texts(program.sources, program.former)
-    return Surroundings(texts, canvas.target, camera, images)
+    waits = any(source.names & HAND for source in program.sources.values())
+    return Surroundings(texts, canvas.target, camera, images, waits)
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from sketchkit.api.pixel_array import PixelArray
 from sketchkit.api.pixels import CanvasPixels
 from sketchkit.draw.recorder import Recorder
 from sketchkit.draw.resources import Pixels, Target
+from sketchkit.runtime.explore.void_calls import noting_void_calls
 
 MOST_CALLS = 200  # of a recursion that goes deeper, the outermost calls are left out
 
@@ -39,14 +40,21 @@ class Notes:
     ----------
     pixel_setters : mapping of Target to Chain
         Who has last set pixels of a canvas, by `set()`, `updatePixels()` and their like.
+    void_calls : dict of Chain to str
+        Which calls have drawn nothing at all, and why.
     """
 
     def __init__(self, names: Mapping[str, object]) -> None:
         self._names = names
         self._chains: dict[Chain, Chain] = {}
+        self.void_calls: dict[Chain, str] = {}
         self.pixel_setters: weakref.WeakKeyDictionary[Target, Chain] = weakref.WeakKeyDictionary()
         self._writers: weakref.WeakKeyDictionary[Pixels, Writers] = weakref.WeakKeyDictionary()
         self._images: weakref.WeakKeyDictionary[Target, Pixels] = weakref.WeakKeyDictionary()
+
+    def note_void_call(self, reason: str) -> None:
+        """Note why a call draws nothing."""
+        self.void_calls.setdefault(self.chain(), reason)
 
     def note_setter(self, target: Target, image: Pixels) -> None:
         """Note who has pixels of a canvas sent, which lie in an image until then."""
@@ -80,12 +88,12 @@ class Notes:
 
 
 @contextmanager
-def noting(names: Mapping[str, object], *, each_pixel: bool = False) -> Iterator[Notes]:
+def noting(names: dict[str, object], *, each_pixel: bool = False) -> Iterator[Notes]:
     """Note who records rows, in all recorders there are.
 
     Parameters
     ----------
-    names : mapping
+    names : dict
         What the sketch sees behind its own names (`Program.names`): its code is known by it.
     each_pixel : bool
         Whether it is noted as well who writes each pixel: it makes that five times as slow.
@@ -120,7 +128,8 @@ def noting(names: Mapping[str, object], *, each_pixel: bool = False) -> Iterator
     if each_pixel:
         type.__setattr__(PixelArray, "__setitem__", note_write)
     try:
-        yield notes
+        with noting_void_calls(names, notes.note_void_call):
+            yield notes
     finally:
         type.__setattr__(Recorder, "row_end", slot)
         type.__setattr__(CanvasPixels, "_touch", touch)

@@ -20,6 +20,7 @@ from sketchkit.runtime.explore.obstacles import obstacle_in_words
 from sketchkit.runtime.explore.pixel import history
 
 ALIKE = 2  # of 255: colours that differ by no more look the same
+LEAST = 3  # vertices of a fill
 LIT = (Program.LIT, Program.TEXTURED_LIT)
 NOTHING_LEFT = {
     Kind.LINE: "noStroke() is in force, or strokeWeight(0): of a line nothing is left.",
@@ -113,6 +114,8 @@ def _nothing_made(case: Case) -> Reason:
             return _hidden("One of its vertices is no place: a number is NaN or infinite.")
         if (corners["fill"] < 0).all() and (corners["stroke"] < 0).all():
             return _hidden("noFill() and noStroke() are in force: nothing of it is left.")
+        if run.count < LEAST and not has_stroke:
+            return _hidden(f"It has only {run.count} of the {LEAST} vertices that a fill needs.")
         return UNSURE
     if int(row["fill"]) < 0 and not has_stroke:
         return _hidden("noFill() and noStroke() are in force: nothing of it is left.")
@@ -162,7 +165,8 @@ def _seen(case: Case, piece: Piece, reached: Reach) -> Reason:
         found += mine
     if not found:
         return UNSURE
-    if 0 < (alpha := int(found[0].color[3])) <= 2 * ALIKE and piece.pipeline.shading is None:
+    alpha = max(int(layer.color[3]) for layer in found)  # letters have soft edges
+    if 0 < alpha <= 2 * ALIKE and piece.pipeline.shading is None:
         return _hidden(f"It is all but transparent: the alpha of its colour is {alpha}, of 255.")
     if piece.pipeline.shading is not None and any(layer.is_visible for layer in found):
         return UNSURE  # its colours are the shader's

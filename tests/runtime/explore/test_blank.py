@@ -29,6 +29,38 @@ def told(
 
 # The first line of draw() after its background() is line 5.
 HIDDEN = {
+    "text of the background's colour": (
+        FLAT,
+        "fill(255)\ntext('hello', 50, 50)",
+        6,
+        "the same colour, 255, 255, 255",
+    ),
+    "empty text": (FLAT, "text('', 50, 50)", 5, "Its text is empty"),
+    "spaces": (FLAT, "text('  ', 50, 50)", 5, "Its text is only spaces"),
+    "text nowhere": (FLAT, "text('a', float('nan'), 50)", 5, "NaN"),
+    "endless rectangle": (FLAT, "rect(float('inf'), 10, 50, 50)", 5, "or infinite"),
+    "invisible shape": (SHAPE, "s.setVisible(False)\nshape(s)", 6, "setVisible(False)"),
+    "empty shape": (SHAPE, "t = createShape()\nt.beginShape()\nt.endShape()\nshape(t)", 8, "empty"),
+    "shape without colours": (
+        SHAPE,
+        "noFill()\nnoStroke()\nshape(createShape(RECT, 0, 0, 9, 9), 9, 9)",
+        7,
+        "in force when it was made",
+    ),
+    "no vertex": (FLAT, "beginShape()\nendShape()", 6, "There is no vertex"),
+    "two vertices": (
+        FLAT,
+        "beginShape()\nvertex(1, 1)\nvertex(50, 50)\nendShape()",
+        8,
+        "only 2 vertices",
+    ),
+    "two of three vertices": (
+        FLAT,
+        "noStroke()\nbeginShape(TRIANGLES)\nvertex(1, 1)\nvertex(50, 50)\nendShape()",
+        9,
+        "only 2 of the 3 vertices",
+    ),
+    "no arc": (FLAT, "arc(50, 50, 40, 40, 2, 1)", 5, "from 2 to 1"),
     "behind": (SOLID, "translate(100, 75, 400)\nbox(40)", 6, "behind the camera"),
     "too near": (
         SOLID,
@@ -219,6 +251,8 @@ SILENT = {
         "size(200, 150); global pg; pg = createGraphics(200, 150)",
         "with pg:\n    pg.background(255, 0, 0)\nimage(pg, 0, 0)",
     ),
+    "text that is still to be typed": (FLAT, "text('' if key == '1' else '', 50, 50)"),
+    "text among others": (FLAT, "text('', 50, 50)\nrect(9, 9, 50, 50)"),
     "one pixel": (FLAT, "noStroke()\nfill(0)\nrect(100, 70, 1, 1)\nrect(-50, 0, 10, 10)"),
 }
 
