@@ -28,6 +28,8 @@ from sketchkit.runtime.source import Source
 if TYPE_CHECKING:
     from PIL.Image import Image
 
+MAGIC_CELL = "cell.py"  # what the text of a cell is called in mistakes
+
 Function: TypeAlias = Callable[..., object]
 Functions: TypeAlias = Mapping[str, object] | ModuleType | Iterable[Function]
 
@@ -94,7 +96,7 @@ def render(
 
 def render_text(text: str, numbers: Sequence[int], renderer: str | None, seed: int) -> list[Frame]:
     """Return the pictures of a sketch that is a text and lies in no file."""
-    source = Source(Path.cwd() / "cell.py", text.encode())
+    source = Source(Path.cwd() / MAGIC_CELL, text.encode())
 
     def opener(launch: Launch, renderer: Renderer, clock: Clock) -> AbstractContextManager[Loop]:
         return headless.started(lambda *rest: Program(source, *rest), launch, renderer, clock)
@@ -153,4 +155,5 @@ def _numbers(frames: int | str | Iterable[int]) -> Sequence[int]:
 
 
 def _tell(path: Path, line: int, text: str) -> None:
-    print(f"{path.name}, line {line}: {text}", file=sys.stderr)
+    name = path.name if path.is_file() or path.name == MAGIC_CELL else CELL
+    print(f"{name}, line {line}: {text}", file=sys.stderr)

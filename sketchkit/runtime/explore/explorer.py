@@ -246,8 +246,8 @@ class SketchExplorer:
     def _begin_notes(self) -> None:
         self._notes.close()
         if self._loop is not None:
-            names, each_pixel = self._loop.program.names, self._modes.inspect
-            self._log.notes = self._notes.enter_context(noting(names, each_pixel=each_pixel))
+            notes = noting(self._loop.program, each_pixel=self._modes.inspect)
+            self._log.notes = self._notes.enter_context(notes)
 
     def _take_text(self, frame: int) -> None:
         """Take that a sketch runs another text after a frame: what it draws is looked at anew."""

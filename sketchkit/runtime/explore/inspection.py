@@ -96,7 +96,7 @@ def inspect(
     clock = VirtualClock()
     with opened(launch, renderer, clock) as loop:
         seed_everything(launch.seed)
-        with noting(loop.program.names, each_pixel=True) as notes:
+        with noting(loop.program, each_pixel=True) as notes:
             log = FrameLog(notes)
             log.backend = backend
             renderer.readers.append(log)

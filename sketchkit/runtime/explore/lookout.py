@@ -56,7 +56,7 @@ class Lookout:
         self._last = self._log.frame = frame
         self._renderer.readers.append(self._log)
         try:
-            with noting(self._program.names) as self._log.notes:
+            with noting(self._program) as self._log.notes:
                 yield
                 self._renderer.flush()
         finally:

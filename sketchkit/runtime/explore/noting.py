@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 import weakref
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from contextlib import contextmanager
 from types import CodeType, FrameType
 from typing import Any, NamedTuple
@@ -18,6 +18,7 @@ from sketchkit.api.pixels import CanvasPixels
 from sketchkit.draw.recorder import Recorder
 from sketchkit.draw.resources import Pixels, Target
 from sketchkit.runtime.explore.void_calls import noting_void_calls
+from sketchkit.runtime.loader import Program
 
 MOST_CALLS = 200  # of a recursion that goes deeper, the outermost calls are left out
 
@@ -44,8 +45,8 @@ class Notes:
         Which calls have drawn nothing at all, and why.
     """
 
-    def __init__(self, names: Mapping[str, object]) -> None:
-        self._names = names
+    def __init__(self, names: Mapping[str, object], files: Container[str]) -> None:
+        self._names, self._files = names, files
         self._chains: dict[Chain, Chain] = {}
         self.void_calls: dict[Chain, str] = {}
         self.pixel_setters: weakref.WeakKeyDictionary[Target, Chain] = weakref.WeakKeyDictionary()
@@ -80,7 +81,7 @@ class Notes:
         calls: list[Call] = []
         frame: FrameType | None = sys._getframe(1)
         while frame is not None and len(calls) < MOST_CALLS:
-            if frame.f_builtins is self._names:
+            if frame.f_builtins is self._names and frame.f_code.co_filename in self._files:
                 calls.append(Call(frame.f_code, frame.f_lasti))
             frame = frame.f_back
         found = tuple(calls)
@@ -88,17 +89,17 @@ class Notes:
 
 
 @contextmanager
-def noting(names: dict[str, object], *, each_pixel: bool = False) -> Iterator[Notes]:
+def noting(program: Program, *, each_pixel: bool = False) -> Iterator[Notes]:
     """Note who records rows, in all recorders there are.
 
     Parameters
     ----------
-    names : dict
-        What the sketch sees behind its own names (`Program.names`): its code is known by it.
+    program : Program
+        The sketch: its code is known by its files, and by the names that it sees.
     each_pixel : bool
         Whether it is noted as well who writes each pixel: it makes that five times as slow.
     """
-    notes = Notes(names)
+    notes = Notes(program.names, program.sources)
     # Any: a slot's descriptor and a method, taken from their classes and put back.
     slot: Any = Recorder.__dict__["row_end"]
     touch: Any = CanvasPixels.__dict__["_touch"]
@@ -128,7 +129,7 @@ def noting(names: dict[str, object], *, each_pixel: bool = False) -> Iterator[No
     if each_pixel:
         type.__setattr__(PixelArray, "__setitem__", note_write)
     try:
-        with noting_void_calls(names, notes.note_void_call):
+        with noting_void_calls(program.names, notes.note_void_call):
             yield notes
     finally:
         type.__setattr__(Recorder, "row_end", slot)
