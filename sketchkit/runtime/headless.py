@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
 from typing import TypeAlias
@@ -12,11 +12,12 @@ from typing import TypeAlias
 from sketchkit.api.graphics import PGraphics
 from sketchkit.api.host import Host, NoWindow
 from sketchkit.api.sketch import Sketch
-from sketchkit.core.clock import FRAMES_PER_SECOND, Clock, VirtualClock
+from sketchkit.core.clock import FRAMES_PER_SECOND, Clock, VirtualClock, milliseconds_of
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
 from sketchkit.draw.vertex import U8
+from sketchkit.runtime.events import AnyEvent, WindowEvent
 from sketchkit.runtime.explore.lookout import Lookout
 from sketchkit.runtime.loader import Program, Tell, seed_everything
 from sketchkit.runtime.loop import Loop
@@ -232,8 +233,19 @@ class Steps:
         self.frame += 1
         self._clock.frame = self.frame
         for event in self._replay.at(self.frame):
-            self.loop.post(event)
+            self.loop.post(self._at_this_time(event))
         self.loop.step()
+
+    def _at_this_time(self, event: AnyEvent) -> AnyEvent:
+        """Return an event that agrees with the sketch's clock.
+
+        Events are tied to frames: the same hand does the same in a film of another rate. So a
+        double click stays one, however far apart its frames are on that film's clock; but what
+        an event says of its time is what `millis()` says in the same frame.
+        """
+        if isinstance(event, WindowEvent) or self.rate == FRAMES_PER_SECOND:
+            return event
+        return replace(event, millis=milliseconds_of(self.frame, self.rate))
 
 
 def _frames(

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from sketchkit.backends.cpu.executor import CpuBackend
+from sketchkit.backends.listing import ListingBackend
 from sketchkit.runtime.headless import Frame, Launch, render
+from sketchkit.runtime.replay import replay_of
 from sketchkit.runtime.report import StoppedError
 from tests.runtime.sketches import Remarks, written
 
@@ -139,3 +141,22 @@ def test_cost_of_a_frame_is_counted_apart(tmp_path: Path) -> None:
 
     assert [frame.vertices for frame in frames] == [4, 12]
     assert [frame.draw_calls for frame in frames] == [1, 1]
+
+
+def test_events_of_a_film_tell_the_films_time_and_double_clicks_stay(tmp_path: Path) -> None:
+    sketch = written(
+        tmp_path,
+        """
+        def draw():
+            pass
+        def mouseClicked(event):
+            saveStrings(f"{event.count}.txt", [event.millis, millis()])
+        """,
+    )
+    clicks = [{"frame": 4, "click": "left", "at": [5, 5]}, {"frame": 16, "click": "left"}]
+    launch = Launch(sketch, Remarks().tell, replay=replay_of({"events": clicks}), rate=10)
+
+    list(render(launch, [20], ListingBackend()))
+
+    assert (tmp_path / "1.txt").read_text().split() == ["300", "300"]
+    assert (tmp_path / "2.txt").read_text().split() == ["1500", "1500"]

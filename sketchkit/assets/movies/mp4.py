@@ -8,6 +8,7 @@ from typing import BinaryIO, Final
 import numpy as np
 
 from sketchkit.assets.movies.encoder import U8, MovieError
+from sketchkit.assets.movies.mp4_index import bring_index_to_front
 
 CODEC: Final = "libx264"
 # crf: how much is lost; 23 is usual, 18 is hard to tell from the original.
@@ -26,7 +27,7 @@ class Mp4Encoder:
                 "MP4 films need the package av.",
                 hint="pip install 'sketchkit[video]' brings it; .gif, .webp and .png work without.",
             ) from None
-        self._av = av
+        self._av, self._file = av, file
         if CODEC not in av.codecs_available:
             raise MovieError(
                 f"The package av here cannot write H.264: it has no {CODEC}.",
@@ -55,6 +56,7 @@ class Mp4Encoder:
         """Write what is missing."""
         self._container.mux(self._stream.encode())
         self._container.close()
+        bring_index_to_front(self._file)
         return None
 
     def close(self) -> None:

@@ -146,6 +146,21 @@ def test_mp4_is_what_every_player_takes(tmp_path: Path) -> None:
         assert abs(stream.average_rate - Fraction(2997, 100)) < Fraction(1, 100)
 
 
+@needs_av
+def test_mp4_begins_with_its_index_and_plays(tmp_path: Path) -> None:
+    import av
+
+    path = tmp_path / "film.mp4"
+    filmed(path, [flat(number) for number in range(40)], 30)
+
+    data = path.read_bytes()
+    with av.open(str(path)) as container:
+        frames = [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
+    assert data.index(b"moov") < data.index(b"mdat")
+    assert len(frames) == 40
+    assert np.abs(frames[39][:41, :61].astype(int) - flat(39)).mean() < 5
+
+
 def test_frames_of_another_size_are_fitted(tmp_path: Path) -> None:
     red = np.full((10, 10, 3), (255, 0, 0), np.uint8)
 
