@@ -82,6 +82,7 @@ class CanvasParts(Pen):
     _pixels: PixelArray
     _is_read: bool
     _is_set: bool
+    _is_asked: bool
     _copied: Pixels | None
 
     def __init__(self, renderer: Renderer, target: Target) -> None:
@@ -102,7 +103,7 @@ class CanvasParts(Pen):
         self._shaders = {}
         self._own = blank_pixels(target)
         self._pixels = PixelArray(self._own)
-        self._is_read = self._is_set = False
+        self._is_read = self._is_set = self._is_asked = False
         self._copied = None
         renderer.register(self)
 

@@ -92,19 +92,25 @@ class PixelAccess(PixelParts):
         >>> image(corner, 60, 60)
         >>> fill(get(50, 50))
         """
-        self._refresh()
         if len(place) == 2:
             x, y = whole("get", place, GET_USAGE)
             height, width, _ = self._own.data.shape
             if 0 <= x < width and 0 <= y < height:
-                return self._shown(self._pixels[y * width + x])
+                return self._shown(self._pixel(x, y))
             return 0
+        self._refresh()
         if not place:
             return self._image_of(self._own.data.copy(), self.format)
         numbers = whole("get", place, GET_USAGE)
         if len(numbers) == 4:
             return self._part(Region(*numbers))
         raise wrong_numbers("get", place, GET_USAGE, (0, 2, 4))
+
+    def _pixel(self, x: int, y: int) -> int:
+        """Return one pixel as it is stored."""
+        self._refresh()
+        color: int = self._pixels[y * self._own.width + x]
+        return color
 
     def _part(self, region: Region) -> PImage:
         """Return a copy of a part; what is outside is transparent."""

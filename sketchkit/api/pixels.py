@@ -67,13 +67,13 @@ class CanvasPixels(Images, PixelAccess, PixelEffects):
         """Make room for as many pixels as the canvas has; they are still to be read."""
         self._own = blank_pixels(self._target)
         self._pixels.give_up()
-        self._is_read = self._is_set = False
+        self._is_read = self._is_set = self._is_asked = False
         self._copied = None
 
     def forget_state(self) -> None:
         """Give up indices into the recorder, and the copy of the pixels: something was drawn."""
         super().forget_state()
-        self._is_read = False
+        self._is_read = self._is_asked = False
 
     def take_upload(self) -> Upload | None:
         """Return the pixels that the sketch has set since they were last taken, if any."""
@@ -81,6 +81,22 @@ class CanvasPixels(Images, PixelAccess, PixelEffects):
             return None
         self._is_set = False
         return Upload(self._target, self._own.data)
+
+    def _pixel(self, x: int, y: int) -> int:
+        """Return one pixel as it is stored.
+
+        The first that is asked for after something was drawn is read alone: sketches get a colour,
+        draw, get the next one, and reading all of the picture each time took most of their time.
+        """
+        is_drawn_on = self._recorder.row_end > 0
+        if not is_drawn_on and (self._is_read or self._is_asked):
+            return super()._pixel(x, y)
+        with kept_corners(self._recorder, self._shape):
+            pixel = self._renderer.read_pixel(self._target, x, y)
+        self._is_asked = True
+        red, green, blue, alpha = pixel.tolist()
+        color: int = alpha << 24 | red << 16 | green << 8 | blue
+        return color
 
     def _refresh(self) -> None:
         if self._is_read and not self._recorder.row_end:

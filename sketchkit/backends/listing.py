@@ -69,6 +69,10 @@ class ListingBackend:
         """Return a transparent picture."""
         return np.zeros((target.height, target.width, 4), np.uint8)
 
+    def read_pixel(self, target: Target, x: int, y: int) -> U8:
+        """Return a transparent pixel."""
+        return np.zeros(4, np.uint8)
+
     def forget(self, resource: Resource) -> None:
         """Do nothing: no copy is kept."""
 

@@ -34,6 +34,9 @@ class Backend(Protocol):
     def read(self, target: Target) -> U8:
         """Return what was drawn, (h, w, 4) RGBA, top row first, samples averaged."""
 
+    def read_pixel(self, target: Target, x: int, y: int) -> U8:
+        """Return one pixel of it, (4,) RGBA, x and y from the top left."""
+
     def forget(self, resource: Pixels | Target | Mesh) -> None:
         """Let go of the backend's copy of a resource."""
 

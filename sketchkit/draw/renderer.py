@@ -155,6 +155,11 @@ class Renderer:
         self.flush()
         return self.backend.read(target)
 
+    def read_pixel(self, target: Target, x: int, y: int) -> U8:
+        """Return one pixel of it, (4,) RGBA, x and y from the top left."""
+        self.flush()
+        return self.backend.read_pixel(target, x, y)
+
     def reset_stats(self) -> None:
         """Count from zero."""
         self.stats = Stats()

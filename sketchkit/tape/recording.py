@@ -107,6 +107,11 @@ class LateBackend:
             return np.zeros((target.height, target.width, 4), np.uint8)
         return player.read(number)
 
+    def read_pixel(self, target: Target, x: int, y: int) -> U8:
+        """Return one pixel of it."""
+        pixel: U8 = self.read(target)[y, x]
+        return pixel
+
     def forget(self, resource: Pixels | Target | Mesh) -> None:
         """Do nothing: no copy is kept under this identity."""
 

@@ -1,3 +1,5 @@
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 
@@ -88,14 +90,34 @@ def test_many_calls_in_a_row_read_once(flat):
     assert len(counts) == 1
 
 
-def test_drawing_in_between_is_read_again(flat):
+def test_after_drawing_the_first_pixel_is_read_alone(flat):
     counts = reads(flat)
 
+    colors = []
     for i in range(3):
+        flat.fill(255, 0, i)
         flat.rect(i, 0, 1, 1)
-        flat.get(i, 0)
+        colors.append(flat.get(i, 0))
 
-    assert len(counts) == 3
+    assert colors == [RED, RED + 1, RED + 2]
+    assert counts == []
+
+
+@pytest.mark.parametrize("is_offscreen", [False, True], ids=["window", "canvas"])
+def test_a_pixel_read_alone_is_as_in_the_whole_picture(backend, is_offscreen):
+    canvas = new_canvas(P2D, backend, (20, 10), samples=4)
+    if is_offscreen:
+        canvas = canvas.offscreen(20, 10, P2D, 4)
+    with canvas.beginDraw() if is_offscreen else nullcontext():
+        canvas.background(0, 0, 255)
+        alone = []
+        for x in range(20):
+            canvas.fill(255, 0, 0)
+            canvas.ellipse(4, 3, 7.3, 4.6)
+            alone.append(canvas.get(x, 2))
+
+        assert alone == canvas.get().pixels[40:60]
+        assert len(set(alone)) > 3
 
 
 def test_get_of_a_part_and_of_all_are_copies(canvas):

@@ -85,6 +85,12 @@ class CpuBackend:
         rows = self._frame(target).picture()
         return rows if target.top_row_first else rows[::-1].copy()
 
+    def read_pixel(self, target: Target, x: int, y: int) -> U8:
+        """Return one pixel of it, (4,) RGBA."""
+        row = y if target.top_row_first else target.height - 1 - y
+        pixel: U8 = self._frame(target).picture()[row, x]
+        return pixel
+
     def forget(self, resource: Pixels | Target | Mesh) -> None:
         """Let go of what is kept for a resource."""
         match resource:

@@ -279,6 +279,12 @@ class GlBackend:
         with self.context:
             return self._rows(target)
 
+    def read_pixel(self, target: Target, x: int, y: int) -> U8:
+        """Return one pixel of it, (4,) RGBA."""
+        row = y if target.top_row_first else target.height - 1 - y
+        with self.context:
+            return self._surfaces.get(target).read_pixel(self.context, x, row)
+
     def _rows(self, target: Target) -> U8:
         rows = self._surfaces.get(target).read(self.context)
         return rows.copy() if target.top_row_first else rows[::-1].copy()

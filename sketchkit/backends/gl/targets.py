@@ -165,6 +165,17 @@ class Surface:
         data = self._averaged.read(components=4, alignment=1)
         return np.frombuffer(data, np.uint8).reshape(*self.image.size[::-1], 4)
 
+    def read_pixel(self, context: moderngl.Context, column: int, row: int) -> U8:
+        """Return one pixel, (4,), whose row is counted in the framebuffer's own order."""
+        box = (column, row, 1, 1)
+        if not self._is_averaged:
+            self.framebuffer.scissor = box  # a copy changes nothing outside of it
+            self.framebuffer.use()
+            context.copy_framebuffer(self._averaged, self.framebuffer)
+            self.framebuffer.scissor = None  # type: ignore[assignment] # the stubs forget None
+            self.framebuffer.use()
+        return np.frombuffer(self._averaged.read(viewport=box, components=4), np.uint8)
+
     def release(self) -> None:
         """Let go of everything on the GPU."""
         if self._colors is not None:
