@@ -116,9 +116,11 @@ def hold_beside(
     for number, own in pairs:
         if own is not None:
             # Most of the time goes into explaining; more than a few reasons are not told.
-            explains = sum(not one.comparison.is_alike for one in sightings) < MOST_TOLD
-            seen = _see(case, rule, reference, (number, own), explains=explains)
-            sightings.append(seen)
+            # But what explained the last one is likely to explain all that follow.
+            known = [one.verdict for one in sightings if not one.comparison.is_alike]
+            last = known[-1] if len(known) >= MOST_TOLD else None
+            only = (last.explanation if last else "") if len(known) >= MOST_TOLD else None
+            sightings.append(_see(case, rule, reference, (number, own), only))
     if not sightings:
         return None
     score = COMBINATIONS[rule.combine](sighting.score for sighting in sightings)
@@ -162,8 +164,7 @@ def _see(
     rule: PictureRule,
     reference: RunEvidence,
     numbers: tuple[int, int],
-    *,
-    explains: bool,
+    only: str | None,
 ) -> Sighting:
     """Compare a frame of the reference with one of the submission, by their numbers."""
     number, own = numbers
@@ -181,7 +182,7 @@ def _see(
             rule.tolerance,
             _alternatives(reference, number),
             f"frame {number}",
-            explains=explains,
+            only,
         )
     except PictureError as problem:
         return _nothing(number, comparison, str(problem))

@@ -50,17 +50,16 @@ def compare(
     tolerance: AnyTolerance,
     alternatives: Mapping[str, U8] = flip.NO_ALTERNATIVES,
     name: str = "",
-    *,
-    explains: bool = True,
+    only: str | None = None,
 ) -> Verdict:
     """Return what is to be said of two pictures, (h, w, 3).
 
     `alternatives` are other pictures that the submitted one may resemble more, by name; `name` is
-    the expected one's. `explains` says whether to look for what explains a difference.
+    the expected one's. `only` is the one explanation of a difference that is tried: "" for none.
     """
     if isinstance(tolerance, PixelTolerance):
         return _pixel_by_pixel(submitted, expected, tolerance)
-    return flip.judge(submitted, expected, tolerance, alternatives, name=name, explains=explains)
+    return flip.judge(submitted, expected, tolerance, alternatives, name=name, only=only)
 
 
 def _flip_tolerance(table: Table | None) -> AnyTolerance:

@@ -11,16 +11,17 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from sketchkit.grading.images.matching import left_over
+from sketchkit.grading.images.matching import difference, left_over, movement, residue
 from sketchkit.grading.images.measuring import Amount, Measure, amount
 from sketchkit.grading.images.shifts import shift, shifted
-from sketchkit.grading.images.transformations import candidates
+from sketchkit.grading.images.transformations import Transformation, both, colors, places
 from sketchkit.grading.images.words import direction, percent
 
 U8 = NDArray[np.uint8]
@@ -28,7 +29,10 @@ U8 = NDArray[np.uint8]
 # Of the difference, and of the pixels that differ: more than that, and it is no explanation.
 LEFT_AT_MOST = 0.2
 DIFFERING_AT_MOST = 0.3
+NEARER = 0.75  # of the difference without a match, where with one little is left of it
 WORTH_A_TRY = 0.6  # of the difference of small versions, which are looked at first
+WORTH_A_TRY_IN_PAIRS = 0.5  # of that: there are many pairs, and one that is meant fits well
+MOST_PAIRS = 2
 SMALL = 96  # px
 ABOUT_EQUAL = 0.02  # of the difference: then what is simpler is meant
 
@@ -44,18 +48,36 @@ class Trial(NamedTuple):
     """What may have been meant.
 
     `opening` and `ending` are a sentence: "Turned upside down, your picture is", "the expected
-    one". `picture` makes what the expected picture would be.
+    one". `picture` makes what the expected picture would be. Where all of it lies elsewhere
+    (`is_elsewhere`) edges were drawn anew, not only moved: that is forgiven.
     """
 
     name: str
     opening: str
     ending: str
     picture: Callable[[], U8]
+    is_elsewhere: bool = False
 
 
-def explain(
-    submitted: U8, expected: U8, found: Measure, alternatives: Mapping[str, U8], name: str
-) -> Explanation | None:
+class Among(NamedTuple):
+    """What an explanation is looked for among.
+
+    Attributes
+    ----------
+    alternatives : mapping of str to (h, w, 3) uint8
+        The reference drawn otherwise: "frame 29", "lights off".
+    name : str
+        The expected picture's: "frame 30", or "".
+    only : str or None
+        The one explanation that is tried; None for all.
+    """
+
+    alternatives: Mapping[str, U8]
+    name: str = ""
+    only: str | None = None
+
+
+def explain(submitted: U8, expected: U8, found: Measure, among: Among) -> Explanation | None:
     """Return what explains a difference, or None.
 
     Parameters
@@ -63,18 +85,23 @@ def explain(
     submitted, expected : (h, w, 3) uint8, of one size
     found : Measure
         Of these two.
-    alternatives : mapping of str to (h, w, 3) uint8
-        The reference drawn otherwise: "frame 29", "lights off".
-    name : str
-        The expected picture's: "frame 30", or "".
+    among : Among
     """
     before = amount(found.remaining)
     if before.weight == 0:
         return None
+    # What was measured without a match must be explained without one.
+    is_strict = found.is_strict or movement(submitted, expected) != (0.0, 0.0)
+    left = difference if is_strict else left_over
     best: tuple[Trial, Amount] | None = None
-    for trial in _trials(submitted, expected, found, alternatives, name):
-        after = amount(left_over(submitted, np.ascontiguousarray(trial.picture())))
-        if not _explains(before, after):
+    for trial in _trials(submitted, expected, found, among):
+        if among.only not in (None, trial.name):
+            continue
+        picture = np.ascontiguousarray(trial.picture())
+        after = amount((residue if trial.is_elsewhere else left)(submitted, picture))
+        if not _explains(before, after) or (
+            trial.is_elsewhere and not _is_nearer(submitted, picture, expected)
+        ):
             continue
         if best is None or after.weight < best[1].weight - ABOUT_EQUAL * before.weight:
             best = trial, after
@@ -88,17 +115,23 @@ def _explains(before: Amount, after: Amount) -> bool:
     )
 
 
+def _is_nearer(submitted: U8, picture: U8, expected: U8) -> bool:
+    """Return whether a picture is more like the submitted one than the expected picture is."""
+    before, after = (_distance(submitted, other) for other in (expected, picture))
+    return after <= NEARER * before
+
+
 def is_flat(picture: U8) -> bool:
     """Return whether a picture is of one colour, rounding aside."""
     return int(np.ptp(picture.reshape(-1, 3), axis=0).max()) <= 2
 
 
-def _trials(
-    submitted: U8, expected: U8, found: Measure, alternatives: Mapping[str, U8], name: str
-) -> Iterator[Trial]:
-    for key, picture in alternatives.items():
-        if picture.shape == submitted.shape:
-            yield _alternative(key, picture, name)
+def _trials(submitted: U8, expected: U8, found: Measure, among: Among) -> Iterator[Trial]:
+    for key, picture in among.alternatives.items():
+        # Of a picture on which nothing is drawn, what is drawn on another one is no frame.
+        is_empty = is_flat(picture) and not is_flat(submitted)
+        if picture.shape == submitted.shape and not is_empty:
+            yield _alternative(key, picture, among.name)
     # Of one colour, anything can be made.
     if is_flat(submitted) or is_flat(expected):
         return
@@ -110,13 +143,30 @@ def _trials(
 
 
 def _likely_transformations(submitted: U8, expected: U8) -> Iterator[Trial]:
-    """Yield those that already make small versions of the pictures more alike."""
+    """Yield those that already make small versions of the pictures more alike.
+
+    Two at once, one of places and one of colours, are tried where none alone does.
+    """
     small, small_expected = _shrunk(submitted), _shrunk(expected)
     limit = WORTH_A_TRY * _distance(small, small_expected)
-    for candidate in candidates(submitted, expected):
-        if _distance(small, candidate.change(small_expected)) <= limit:
-            name, opening, ending, change = candidate
-            yield Trial(name, opening, ending, partial(change, expected))
+    pairs: list[tuple[float, Trial]] = []
+    for place in (None, *places(expected)):
+        moved = expected if place is None else np.ascontiguousarray(place.change(expected))
+        small_moved = small_expected if place is None else place.change(small_expected)
+        if place is not None and _distance(small, small_moved) <= limit:
+            yield _trial(place, expected, is_elsewhere=True)
+        for paint in colors(submitted, moved):
+            distance = _distance(small, paint.change(small_moved))
+            if place is None and distance <= limit:
+                yield _trial(paint, expected)
+            elif place is not None and distance <= WORTH_A_TRY_IN_PAIRS * limit:
+                pairs.append((distance, _trial(both(place, paint), expected, is_elsewhere=True)))
+    yield from (trial for _, trial in sorted(pairs, key=itemgetter(0))[:MOST_PAIRS])
+
+
+def _trial(candidate: Transformation, expected: U8, *, is_elsewhere: bool = False) -> Trial:
+    name, opening, ending, change = candidate
+    return Trial(name, opening, ending, partial(change, expected), is_elsewhere)
 
 
 def _alternative(key: str, picture: U8, name: str) -> Trial:
@@ -135,6 +185,7 @@ def _movement(expected: U8, right: float, down: float) -> Trial:
         "Your picture is",
         f"the expected one, moved {direction(right, down)}",
         lambda: shifted(expected, right, down),
+        is_elsewhere=True,
     )
 
 

@@ -7,9 +7,11 @@ the other has not is found from the one that has it. What is left is the *residu
 
 That alone would let a picture pass that has moved by a pixel as a whole, with all of its text and
 lines. Renderers do not do so: their edges move one way here and the other way there. So a whole
-picture's movement is measured first, and if there is one, nothing is forgiven but rounding. One
-object among others that is a pixel off does pass: drivers round a corner that lies between two
-pixels either way.
+picture's movement is measured first, and if there is one, nothing is forgiven but rounding.
+
+An object among others that is a pixel off, a line that is twice as thick, a surface whose colour is
+slightly another: all of these have a match, and are found by the mean of their surroundings, which
+renderers keep. They are not alike, but slight: see `slight`.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import find_objects, maximum_filter, minimum_filter, uniform_filter
 
 U8 = NDArray[np.uint8]
 I16 = NDArray[np.int16]
@@ -33,6 +36,13 @@ MIXTURE_SHARE = 4
 # two grey ones. So what has kept its mean is matched too, within an eighth of the contrast.
 MEAN_SHARE = 8
 STRIP = 256  # rows at once: memory is bounded
+
+# An edge that has moved by a pixel changes the mean of a window by its contrast over the window's
+# width; where one renderer has it a little further than the other, that evens out along it.
+# Measured on 165 scenes: with their samples elsewhere 2 are found to differ slightly, from OpenGL
+# to the CPU none; a line of 2 pixels instead of 1, and circles and spheres a pixel off, all are.
+WINDOW = 5  # px
+FARTHEST_EDGE = 0.7  # px
 
 STEPS = (-1.0, -0.5, 0.0, 0.5, 1.0)  # px: movements of a whole picture that are tried
 # A movement is believed when it explains this much of the difference. Measured: a pixel leaves a
@@ -75,6 +85,54 @@ def left_over(submitted: U8, expected: U8) -> U8:
     if movement(submitted, expected) == (0.0, 0.0):
         return remaining
     return difference(submitted, expected)
+
+
+def slight(submitted: U8, expected: U8) -> U8:
+    """Return by how much pixels differ where the mean around them does, channel by channel.
+
+    Returns
+    -------
+    (h, w, 3) uint8
+        Of a moved edge also the pixels beside it.
+    """
+    found = np.zeros_like(expected)
+    differs = difference(submitted, expected).any(axis=2)
+    for place in find_objects(differs.astype(np.int8)):
+        for top in range(place[0].start, place[0].stop, STRIP):
+            rows = slice(top, min(top + STRIP, place[0].stop))
+            inner, around = _widened(rows, place[1], expected.shape)
+            found[inner] = _displaced(submitted[around], expected[around])[
+                tuple(
+                    slice(one.start - other.start, one.stop - other.start)
+                    for one, other in zip(inner, around, strict=True)
+                )
+            ]
+    return found
+
+
+def _widened(
+    rows: slice, columns: slice, shape: tuple[int, ...]
+) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
+    """Return a part of a picture and its neighbours, and that with all its windows."""
+
+    def wider(part: slice, length: int, by: int) -> slice:
+        return slice(max(part.start - by, 0), min(part.stop + by, length))
+
+    inner = wider(rows, shape[0], 1), wider(columns, shape[1], 1)
+    return inner, (wider(inner[0], shape[0], WINDOW), wider(inner[1], shape[1], WINDOW))
+
+
+def _displaced(one: U8, other: U8) -> U8:
+    """Return by how much pixels differ where edges lie elsewhere, or colours are others."""
+    size = (WINDOW, WINDOW, 1)
+    change = one.astype(np.float32) - other
+    mean = np.abs(uniform_filter(change, size, mode="nearest"))
+    low, high = np.minimum(one, other), np.maximum(one, other)
+    contrast = maximum_filter(high, size).astype(np.float32) - minimum_filter(low, size)
+    beyond = np.maximum(mean - ROUNDING, 0) * WINDOW - FARTHEST_EDGE * contrast
+    most = maximum_filter(np.abs(change), (3, 3, 1))
+    displaced: U8 = np.clip(np.minimum(beyond, most), 0, 255).astype(np.uint8)
+    return displaced
 
 
 def without_match(submitted: U8, expected: U8, remaining: U8) -> U8:

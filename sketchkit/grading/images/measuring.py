@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketchkit.grading.images.flip import flip
-from sketchkit.grading.images.matching import left_over, without_match
+from sketchkit.grading.images.matching import difference, left_over, slight, without_match
 from sketchkit.grading.images.regions import Region, largest_region
 
 U8 = NDArray[np.uint8]
@@ -18,6 +18,7 @@ HIGH = 99  # the percentile: a hundredth of the picture may be as different as i
 # By more than this of 255 a pixel differs. Measured: renderers with their samples elsewhere stay
 # below it but for single pixels; an object whose colour is off by 12 is found.
 VISIBLE = 8
+FAINT = 5  # the same where the mean around a pixel differs, too
 
 
 class Measure(NamedTuple):
@@ -32,6 +33,10 @@ class Measure(NamedTuple):
     mean, high : float
         Of `errors`: mean and `HIGH` percentile.
     region : Region or None
+    slight : Region or None
+        The largest one whose edges lie a little elsewhere, or whose colour is a little another.
+    is_strict : bool
+        Whether the others were measured without a match.
     """
 
     remaining: U8
@@ -39,6 +44,8 @@ class Measure(NamedTuple):
     mean: float
     high: float
     region: Region | None
+    slight: Region | None
+    is_strict: bool = False
 
 
 class Amount(NamedTuple):
@@ -58,6 +65,29 @@ def measure(submitted: U8, expected: U8) -> Measure:
         mean=float(errors.mean(dtype=np.float64)),
         high=float(np.percentile(errors, HIGH)),
         region=largest_region(remaining.max(axis=2) > VISIBLE),
+        slight=_slight_region(submitted, expected, remaining),
+    )
+
+
+def _slight_region(submitted: U8, expected: U8, remaining: U8) -> Region | None:
+    """Return the largest region with pixels that differ slightly: those alone are its pixels."""
+    differs = difference(submitted, expected).max(axis=2) > FAINT
+    differs &= remaining.max(axis=2) <= VISIBLE
+    found = largest_region(slight(submitted, expected).max(axis=2) > FAINT)
+    if found is None:
+        return None
+    left, top, width, height = found.box
+    pixels = found.pixels & differs[top : top + height, left : left + width]
+    return found._replace(size=int(pixels.sum()), pixels=pixels) if pixels.any() else None
+
+
+def strictly(submitted: U8, expected: U8, found: Measure) -> Measure:
+    """Return a measure in which what is slight counts, as nothing else does."""
+    return found._replace(
+        remaining=difference(submitted, expected),
+        errors=flip(expected, submitted),
+        region=found.slight,
+        is_strict=True,
     )
 
 

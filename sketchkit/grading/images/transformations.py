@@ -20,6 +20,7 @@ ENOUGH_VALUES = 200_000  # to fit a number to
 # A colour counts when this share of all values has it: edges are mixtures, and do not.
 COMMON = 0.004
 LEVEL = 8  # values at a time make a level: 0..7, 8..15, ...
+AS_IT_IS = "Your picture is"
 TOO_SMALL = 0.03  # a gamma or a factor nearer to 1 than that changes nothing that is seen
 
 
@@ -86,19 +87,37 @@ COLORS = (
         _permuted(1, 2, 0),
     ),
     _undone("colours inverted", "With its colours inverted", _inverted),
-    Transformation("greyscale", "Your picture is", "the expected one in greys", _greys),
+    Transformation("greyscale", AS_IT_IS, "the expected one in greys", _greys),
 )
 
 
-def candidates(submitted: U8, expected: U8) -> Iterator[Transformation]:
-    """Yield all that may explain a difference of two pictures of one size, the simplest first."""
+def places(expected: U8) -> Iterator[Transformation]:
+    """Yield what may have been done to the places of a picture's parts, the simplest first."""
     yield from MIRRORS
     if expected.shape[0] == expected.shape[1]:
         yield from QUARTERS
+
+
+def colors(submitted: U8, expected: U8) -> Iterator[Transformation]:
+    """Yield what may have been done to colours, the simplest first; both are of one size."""
     yield from COLORS
     levels = _levels(submitted, expected)
     yield from _gammas(*levels)
     yield from _brightnesses(*levels)
+
+
+def both(place: Transformation, paint: Transformation) -> Transformation:
+    """Return one after the other, as one."""
+    opening = place.opening
+    if paint.opening != AS_IT_IS:
+        also = paint.opening[0].lower() + paint.opening[1:]
+        opening = f"{place.opening.removesuffix(', your picture is')} and {also}"
+    return Transformation(
+        f"{place.name}, {paint.name}",
+        opening,
+        paint.ending,
+        lambda picture: paint.change(place.change(picture)),
+    )
 
 
 def _levels(submitted: U8, expected: U8) -> tuple[F64, F64]:
@@ -159,7 +178,7 @@ def _brightnesses(before: F64, after: F64) -> Iterator[Transformation]:
 def _brightness(what: str, factor: float, added: float) -> Transformation:
     ending = f"the expected one with another brightness, {what}"
     curve = _by_table(lambda value: value * factor + added / 255)
-    return Transformation("brightness", "Your picture is", ending, curve)
+    return Transformation("brightness", AS_IT_IS, ending, curve)
 
 
 def _by_table(curve: Callable[[F64], F64]) -> Change:

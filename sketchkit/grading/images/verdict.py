@@ -15,15 +15,19 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.grading.images.explanations import Explanation, explain, is_flat
+from sketchkit.grading.images.explanations import Among, Explanation, explain, is_flat
 from sketchkit.grading.images.heat import flat_heat, heat_map
-from sketchkit.grading.images.measuring import Measure, amount, measure
+from sketchkit.grading.images.measuring import Measure, amount, measure, strictly
 from sketchkit.grading.images.sizes import explain_size
 from sketchkit.grading.images.words import Box, color, percent, place
 
 U8 = NDArray[np.uint8]
 
 FARTHEST = 1000.0  # distances end here, so that they stay numbers where nothing is tolerated
+# What is slight is not alike, but is no further off than this many times the tolerance: a line that
+# is twice as thick is no missing line.
+WORST_OF_SLIGHT = 2.0
+SHARE_OF_SLIGHT = 1 / 3  # of a region's tolerance: what has moved differs at its edges alone
 NO_ALTERNATIVES: Mapping[str, U8] = MappingProxyType({})
 
 
@@ -97,7 +101,7 @@ def judge(
     alternatives: Mapping[str, U8] = NO_ALTERNATIVES,
     *,
     name: str = "",
-    explains: bool = True,
+    only: str | None = None,
 ) -> Verdict:
     """Judge a picture.
 
@@ -111,33 +115,45 @@ def judge(
         them is what was submitted, the reason says so.
     name : str, optional
         What the expected picture is: "frame 30".
-    explains : bool, optional
-        Whether to look for what explains a difference, which takes several times as long; else the
-        reason says where it is.
+    only : str, optional
+        The one explanation that is tried: to try them all takes several times as long. "" for none:
+        the reason says where it differs.
     """
     if submitted.shape != expected.shape:
         return _of_other_size(submitted, expected, tolerance)
     height, width, _ = expected.shape
     if np.array_equal(submitted, expected):
         return Verdict(True, 0.0, 0.0, 0.0, 0, None, "", "", flat_heat(height, width, 0))
-    found = measure(submitted, expected)
-    region = found.region.size if found.region else 0
-    distance = _distance(found.mean, found.high, region, tolerance)
+    found, distance = _weighed(submitted, expected, tolerance)
     reason = Explanation("", "")
     if distance > 1:
         where = Explanation("", _where(submitted, expected, found))
-        reason = _reason(submitted, expected, found, alternatives, name) if explains else where
+        among = Among(alternatives, name, only)
+        reason = where if only == "" else _reason(submitted, expected, found, among)
     return Verdict(
         is_alike=distance <= 1,
         distance=distance,
         flip_mean=found.mean,
         flip_high=found.high,
-        region=region,
+        region=found.region.size if found.region else 0,
         region_box=found.region.box if found.region else None,
         reason=reason.sentence,
         explanation=reason.name,
         heat=heat_map(found.errors),
     )
+
+
+def _weighed(submitted: U8, expected: U8, tolerance: Tolerance) -> tuple[Measure, float]:
+    """Return what was measured, and how far that is from being alike."""
+    found = measure(submitted, expected)
+    region = found.region.size if found.region else 0
+    distance = _distance(found.mean, found.high, region, tolerance)
+    slight = found.slight.size if found.slight else 0
+    faint = math.sqrt(_ratio(slight, SHARE_OF_SLIGHT * tolerance.region))
+    if faint <= max(distance, 1):
+        return found, distance
+    faint = max(distance, min(faint, WORST_OF_SLIGHT))
+    return (found if distance > 1 else strictly(submitted, expected, found)), faint
 
 
 def _of_other_size(submitted: U8, expected: U8, tolerance: Tolerance) -> Verdict:
@@ -171,10 +187,8 @@ def _ratio(value: float, most: float) -> float:
     return value / most if most > 0 else FARTHEST**2
 
 
-def _reason(
-    submitted: U8, expected: U8, found: Measure, alternatives: Mapping[str, U8], name: str
-) -> Explanation:
-    explanation = explain(submitted, expected, found, alternatives, name)
+def _reason(submitted: U8, expected: U8, found: Measure, among: Among) -> Explanation:
+    explanation = explain(submitted, expected, found, among)
     if is_flat(submitted) and not is_flat(expected):
         only = color(submitted[0, 0])
         flat = f"Your picture is one flat colour, {only}: nothing is to be seen on it."
@@ -189,7 +203,10 @@ def _where(submitted: U8, expected: U8, found: Measure) -> str:
     differing = 1 - amount(found.remaining).agreement
     region = found.region
     if region is None:
-        return "Your picture's colours are a little off, everywhere or in many places."
+        differs = (submitted != expected).any(axis=2)
+        means = (color(picture[differs].mean(axis=0)) for picture in (submitted, expected))
+        colors = "{} on average where {} is expected".format(*means)
+        return f"Your picture's colours are a little off, everywhere or in many places: {colors}."
     height, width, _ = expected.shape
     left, top, wide, high = region.box
     inside = np.s_[top : top + high, left : left + wide]
@@ -198,8 +215,11 @@ def _where(submitted: U8, expected: U8, found: Measure) -> str:
     where = f"A region of {wide} x {high} pixels {place(region.box, width, height)} differs"
     if region.size > height * width / 2:
         where = "Most of the picture differs"
+    has_edges = not is_flat(expected[inside][region.pixels][None])
     colors = (
-        f"it is {is_mean} on average where {expected_mean} is expected"
+        "an edge lies a little elsewhere, or a line has another width"
+        if found.is_strict and has_edges
+        else f"it is {is_mean} on average where {expected_mean} is expected"
         if is_mean != expected_mean
         else "its colours are the right ones on average, but elsewhere"
     )

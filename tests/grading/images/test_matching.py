@@ -9,6 +9,7 @@ from sketchkit.grading.images.matching import (
     left_over,
     movement,
     residue,
+    slight,
     without_match,
 )
 
@@ -119,6 +120,25 @@ def test_one_object_among_others_may_lie_a_pixel_off() -> None:
 
     assert movement(submitted, scene()) == (0, 0)
     assert not left_over(submitted, scene()).any()
+
+
+def test_object_a_pixel_off_is_slight_and_what_lies_elsewhere_is_not() -> None:
+    submitted = scene()
+    submitted[10:25, 10:31] = 255
+    submitted[10:25, 11:31] = 0
+
+    found = slight(submitted, scene()).any(axis=2)
+
+    assert found[13:22, [10, 30]].all()
+    assert not found[:, 34:].any()
+
+
+def test_edges_of_other_mixtures_are_not_even_slight() -> None:
+    submitted = scene()
+    submitted[10:25, 30] = 128  # half of the next pixel is black too
+    submitted[5:7, 40:75] = 127  # a line of one pixel is drawn as two grey ones
+
+    assert not slight(submitted, scene()).any()
 
 
 def test_missing_object_is_no_movement() -> None:

@@ -75,6 +75,37 @@ def test_mistake_in_2d_is_not_alike(tmp_path: Path, flat: U8, before: str, after
 @pytest.mark.parametrize(
     ("before", "after"),
     [
+        pytest.param("circle(110, 45, 50)", "circle(111, 45, 50)", id="circle a pixel off"),
+        pytest.param("rect(142, 98, 8, 8)", "rect(142, 99, 8, 8)", id="small square a pixel off"),
+        pytest.param("strokeWeight(1)", "strokeWeight(2)", id="line of 2 pixels instead of 1"),
+        pytest.param("fill(30, 90, 160)", "fill(36, 90, 160)", id="colour off by 6"),
+    ],
+)
+def test_slight_mistake_is_not_alike_but_near(
+    tmp_path: Path, flat: U8, before: str, after: str
+) -> None:
+    verdict = judge(drawn(tmp_path, changed(FLAT, before, after)), flat)
+
+    assert not verdict.is_alike
+    assert 1 < verdict.distance <= 2
+    assert verdict.reason.startswith("A region of")
+
+
+def test_colour_off_by_rounding_and_a_little_more_is_alike(tmp_path: Path, flat: U8) -> None:
+    submitted = drawn(tmp_path, changed(FLAT, "fill(30, 90, 160)", "fill(33, 90, 160)"))
+
+    assert judge(submitted, flat).is_alike
+
+
+def test_edges_that_lie_elsewhere_are_told(tmp_path: Path, flat: U8) -> None:
+    submitted = drawn(tmp_path, changed(FLAT, "circle(110, 45, 50)", "circle(111, 45, 50)"))
+
+    assert "an edge lies a little elsewhere" in judge(submitted, flat).reason
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
         pytest.param("    lights()\n", "", id="no light"),
         pytest.param("lights()", "lights(); ambientLight(40, 40, 40)", id="another light"),
         pytest.param("sphere(22)", "sphereDetail(5); sphere(22)", id="coarse sphere"),
@@ -165,6 +196,62 @@ def test_transformation_is_told_in_a_sentence(flat: U8, change: str, sentence: s
 
 
 @pytest.mark.parametrize(
+    ("place", "paint", "words"),
+    [
+        ("flipped in y", "gamma", "Turned upside down and with a gamma of 2.2 undone, your"),
+        ("mirrored in x", "red and blue swapped", "left to right and with red and blue swapped"),
+        ("turned by 180 degrees", "brightness", "Turned by 180 degrees, your picture is the exp"),
+    ],
+)
+def test_two_transformations_at_once_are_told(flat: U8, place: str, paint: str, words: str) -> None:
+    submitted = TRANSFORMED[paint](TRANSFORMED[place](flat))
+
+    verdict = judge(np.ascontiguousarray(submitted), flat)
+
+    assert verdict.explanation == f"{place}, {paint}"
+    assert words in verdict.reason
+
+
+def test_picture_drawn_half_a_pixel_aside_is_told_so(tmp_path: Path, flat: U8) -> None:
+    circles = """
+def setup():
+    size(100, 80)
+    noStroke()
+    fill(0, 60, 120)
+    translate(0, 0)
+    for x in (25, 60, 80):
+        circle(x, 0.5 * x + 10, 24)
+"""
+    submitted = drawn(tmp_path, changed(circles, "translate(0, 0)", "translate(0.5, 0)"))
+
+    verdict = judge(submitted, drawn(tmp_path, circles))
+
+    assert verdict.explanation == "half a pixel"
+
+
+def test_flip_about_a_middle_a_pixel_off_is_told(flat: U8) -> None:
+    submitted = np.roll(flat[::-1], 1, 0)
+    submitted[0] = submitted[1]
+
+    assert judge(submitted, flat).explanation == "flipped in y"
+
+
+def test_frame_on_which_nothing_is_drawn_explains_nothing(tmp_path: Path, flat: U8) -> None:
+    submitted = drawn(tmp_path, changed(FLAT, "background(235)", "background(204)"))
+
+    verdict = judge(submitted, flat, alternatives={"frame 0": np.full_like(flat, 204)})
+
+    assert "frame 0" not in verdict.reason
+
+
+def test_one_explanation_alone_can_be_tried(flat: U8) -> None:
+    submitted = flat[::-1]
+
+    assert judge(submitted, flat, only="flipped in y").explanation == "flipped in y"
+    assert judge(submitted, flat, only="gamma").explanation == ""
+
+
+@pytest.mark.parametrize(
     ("exponent", "words"), [(1 / 2.2, "a gamma of 1/2.2"), (1.4, "a gamma of 1.4")]
 )
 def test_gamma_is_measured(solid: U8, exponent: float, words: str) -> None:
@@ -220,6 +307,14 @@ def test_two_flat_pictures_are_explained_by_nothing(submitted: tuple[int, int, i
 
     assert not verdict.is_alike
     assert verdict.explanation == ""
+
+
+def test_moment_of_half_a_pixels_movement_is_no_frame(tmp_path: Path, solid: U8) -> None:
+    half = np.roll(solid, 1, 1)
+    submitted = ((half.astype(int) + solid) // 2).astype(np.uint8)
+    near = drawn(tmp_path, changed(SOLID, "rotateY(0.5)", "rotateY(0.51)"))
+
+    assert judge(submitted, solid, alternatives={"frame 2": near}).explanation == "half a pixel"
 
 
 def test_other_frame_is_told(tmp_path: Path, solid: U8) -> None:
