@@ -26,11 +26,12 @@ from sketchkit.grading.batch.check import check
 from sketchkit.grading.batch.executors import Executor, open_executor
 from sketchkit.grading.batch.grade import Batch, grade, prepare, setting_for
 from sketchkit.grading.batch.renders import Setting
-from sketchkit.grading.intake.collect import collect
+from sketchkit.grading.intake.collect import IntakeError, collect
 from sketchkit.grading.results import ClassResult, Status, StudentResult
 from sketchkit.grading.sandbox.job import SandboxError
 from sketchkit.grading.sandbox.level import Level, Strength, require
 from sketchkit.grading.sandbox.probe import probe
+from sketchkit.grading.texts import visible_line
 
 WRONG_CALL = 2  # exit status
 STRENGTHS = {strength.in_words: strength for strength in Strength}
@@ -53,18 +54,25 @@ class GradeGroup(click.Group):
         return [name for name in self.commands if name != CLASS]
 
 
-@click.group(cls=GradeGroup, name="grade", subcommand_metavar="ASSIGNMENT SUBMISSIONS [OPTIONS]")
+# The first line of what click is not to wrap is this character alone.
+EXAMPLES = """\b
+sketchkit grade init boxes               makes an assignment to begin with
+sketchkit grade check boxes              tries it on its own reference
+sketchkit grade boxes handed-in          judges a class
+sketchkit grade boxes handed-in --help   lists the options"""
+
+
+@click.group(
+    cls=GradeGroup,
+    name="grade",
+    subcommand_metavar="ASSIGNMENT SUBMISSIONS [OPTIONS]",
+    epilog=EXAMPLES,
+)
 def command() -> None:
-    r"""Judge a class's sketches, each behind a wall of its own.
+    """Judge a class's sketches, each behind a wall of its own.
 
     ASSIGNMENT is a folder with assignment.toml; SUBMISSIONS a folder of folders, of zip files, or
     of single sketches. Pages and tables of marks go to the folder results.
-
-    \b
-    sketchkit grade init boxes             makes an assignment to begin with
-    sketchkit grade check boxes            tries it on its own reference
-    sketchkit grade boxes handed-in        judges a class
-    sketchkit grade boxes handed-in --help lists the options
     """
 
 
@@ -120,7 +128,7 @@ def grade_class(  # noqa: PLR0913 # click hands over each option
         chosen = open_executor(executor, workers)
         setting = setting_for(task, out, level, is_fresh=fresh)
         result = _graded(setting, submissions, chosen, is_resumed=resume)
-    except (SandboxError, SketchError) as problem:
+    except (IntakeError, SandboxError, SketchError) as problem:
         say.note(str(problem))
         sys.exit(WRONG_CALL)
     except KeyboardInterrupt:
@@ -136,18 +144,13 @@ def _graded(
 ) -> ClassResult:
     """Grade a class, with a bar that shows how far it is."""
     taken = collect(submissions, setting.workplace.staging / "submissions")
-    if not taken:
-        raise SketchError(
-            f"There is nothing to grade in {submissions}.",
-            hint="It holds a folder, a zip file or a Python file for each student.",
-        )
     with _bar() as bar:
         working = bar.add_task("References", total=None)
         references = prepare(setting)
         bar.update(working, description="Submissions", total=len(taken), completed=0)
 
         def judged(student: StudentResult) -> None:
-            bar.update(working, advance=1, description=student.name[:30])
+            bar.update(working, advance=1, description=visible_line(student.name)[:30])
 
         return grade(Batch(setting, taken, executor, is_resumed), references, judged)
 
@@ -171,7 +174,7 @@ def _sum_up(result: ClassResult, folder: Path) -> None:
     middle = marks[len(marks) // 2]
     click.echo(f"{len(marks)} submissions; half of them have {middle:g} of {out_of:g} or more.")
     for status in Status:
-        names = [student.name for student in result.students if student.status is status]
+        names = [visible_line(one.name) for one in result.students if one.status is status]
         if names and status is not Status.GRADED:
             shown = ", ".join(names[:5]) + (" …" if len(names) > 5 else "")
             click.echo(f"  {status.value}: {len(names)} ({shown})")
@@ -188,13 +191,13 @@ def grade_check(assignment: Path, wanted: str) -> None:
     """Try ASSIGNMENT: its reference must get all marks, twice alike, an empty sketch none."""
     task, level = _loaded(assignment), _level(wanted)
     try:
-        problems = check(task, level)
+        found = check(task, level)
     except SandboxError as reason:
         say.note(str(reason))
         sys.exit(WRONG_CALL)
-    for problem in problems:
-        say.note(problem)
-    if problems:
+    for sentence in (*found.problems, *found.notes):
+        say.note(sentence)
+    if found.problems:
         sys.exit(1)
     click.echo(
         f"{task.title}: the reference has all {task.points:g} marks, twice with the same pictures, "

@@ -20,6 +20,7 @@ from sketchkit.assets.output import write_file
 from sketchkit.grading.evidence import RunEvidence, SourceFacts, Trace
 from sketchkit.grading.inside.orders import (
     EVENTS,
+    LARGEST_SIDE,
     SUBMISSION,
     TAPE,
     RecordOrder,
@@ -34,7 +35,6 @@ from sketchkit.tape.messages import Message, TapeError, read_messages
 
 RECORD = "sketchkit.grading.inside.record"
 REDRAW = "sketchkit.grading.inside.redraw"
-LARGEST_SIDE = 8192  # px of a picture
 ASIDE = frozenset({"forget", "remark"})  # messages that say nothing of what is drawn
 MOST_REMARKS = 50
 MOST_FOUND = 8 << 20  # bytes of text at once: names in it are the submission's

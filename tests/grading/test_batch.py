@@ -15,6 +15,7 @@ import pytest
 from sketchkit.grading.batch import executors
 from sketchkit.grading.batch.executors import LocalExecutor, open_executor
 from sketchkit.grading.batch.judging import Task, judge_safely
+from sketchkit.grading.batch.references import lay_data
 from sketchkit.grading.results import Status, StudentResult
 from tests.grading.class_of_sixty.assignment import write_assignment
 from tests.grading.class_of_sixty.submissions import BROKEN, RIGHT, SLIGHTLY_WRONG
@@ -31,6 +32,27 @@ kind = "image"
 points = 6
 frames = "1,3"
 """
+
+
+def test_data_of_an_assignment_win_whatever_lies_in_their_way(tmp_path: Path) -> None:
+    given, own = tmp_path / "given", tmp_path / "own"
+    for name in ("a.txt", "b/c.txt", "d.txt"):
+        (given / name).parent.mkdir(parents=True, exist_ok=True)
+        (given / name).write_text("given")
+    (own / "data" / "d.txt").mkdir(parents=True)
+    (own / "data" / "b").write_text("a file where a folder is to be")
+    (own / "data" / "mine.txt").write_text("mine")
+    whole = tmp_path / "whole"
+    whole.mkdir()
+    (whole / "data").write_text("a file")
+
+    for folder in (own, whole):
+        lay_data(given, folder / "data")
+        assert [(folder / "data" / n).read_text() for n in ("a.txt", "b/c.txt", "d.txt")] == [
+            "given"
+        ] * 3
+
+    assert (own / "data" / "mine.txt").read_text() == "mine"
 
 
 class Class:

@@ -285,6 +285,28 @@ def test_forged_drawing_is_drawn_as_it_is_counted(runner: Runner) -> None:
     assert (pixels(evidence.frames[2]) == 204).all()
 
 
+def test_threads_and_last_wishes_are_not_waited_for(runner: Runner) -> None:
+    evidence = runner.run(
+        """
+        import atexit, threading, time
+        threading.Thread(target=time.sleep, args=(999,)).start()
+        atexit.register(time.sleep, 999)
+        def draw():
+            print("drawn", frameCount, end=" ")
+        """
+    )
+
+    assert evidence.status is Status.GRADED
+    assert evidence.console == "drawn 1 drawn 2 "
+
+
+def test_picture_that_is_too_large_to_be_looked_at_is_told(runner: Runner) -> None:
+    evidence = runner.run("def setup():\n    size(9000, 20)\ndef draw():\n    background(0)\n")
+
+    assert evidence.frames == {}
+    assert "9000 x 20 pixels" in evidence.explanation
+
+
 def test_source_is_read_by_its_syntax_tree(runner: Runner) -> None:
     source = runner.outcome(
         """

@@ -24,10 +24,10 @@ def prove(first: StudentResult, second: StudentResult, empty: StudentResult) -> 
     return [*_lost_marks(first), *_differences(first, second), *free_marks(empty)]
 
 
-def free_marks(empty: StudentResult) -> list[str]:
-    """Return where a sketch that does nothing earns marks, in sentences."""
+def free_marks(empty: StudentResult, which: str = "A sketch that does nothing") -> list[str]:
+    """Return where a sketch that does nothing, or next to nothing, earns marks, in sentences."""
     return [
-        f"A sketch that does nothing gets {check.points:g} of {check.out_of:g} marks in "
+        f"{which} gets {check.points:g} of {check.out_of:g} marks in "
         f"{check.name!r}: ask there for what has to be drawn or written, or tolerate less."
         for check in empty.checks
         if check.points > 0

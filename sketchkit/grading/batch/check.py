@@ -6,6 +6,7 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from sketchkit.grading.assignment.assignment import Assignment
 from sketchkit.grading.assignment.digest import digest_of
@@ -20,10 +21,33 @@ from sketchkit.grading.results import StudentResult
 from sketchkit.grading.sandbox.level import Level
 
 EMPTY = "# This sketch does nothing.\n"
+BARE = """\
+def setup():
+    size(100, 100)
 
 
-def check(assignment: Assignment, level: Level) -> list[str]:
-    """Return what is wrong with an assignment, in sentences; none if all is well.
+def draw():
+    background(255)
+"""
+
+
+class Findings(NamedTuple):
+    """What was found out about an assignment, in sentences.
+
+    Attributes
+    ----------
+    problems : list of str
+        What is wrong; none if all is well.
+    notes : list of str
+        What may be meant: marks for a sketch that has `setup()` and `draw()`, and no more.
+    """
+
+    problems: list[str]
+    notes: list[str]
+
+
+def check(assignment: Assignment, level: Level) -> Findings:
+    """Return what there is to say of an assignment.
 
     Raises
     ------
@@ -33,13 +57,16 @@ def check(assignment: Assignment, level: Level) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         # Two folders, so that nothing of the first time is found again by the second.
         settings = [setting_for(assignment, Path(folder, name), level) for name in ("one", "two")]
-        return list(dict.fromkeys(_problems(settings)))
+        one, two = settings
+        first, second = prepare(one), prepare(two)
+        problems = list(dict.fromkeys(_problems(settings, first, second)))
+        bare = _made_up("bare", BARE, one, first)
+        return Findings(problems, list(free_marks(bare, "A sketch that only clears its picture")))
 
 
-def _problems(settings: list[Setting]) -> Iterator[str]:
+def _problems(settings: list[Setting], first: References, second: References) -> Iterator[str]:
     one, two = settings
-    first, second = prepare(one), prepare(two)
-    empty = _empty(one, first)
+    empty = _made_up("empty", EMPTY, one, first)
     assignment = one.assignment
     sketches = [name for name in assignment.references if sketch_of(assignment.folder / name)]
     if not sketches:
@@ -65,9 +92,10 @@ def _handed_in(name: str, setting: Setting, references: References) -> StudentRe
     return replace(result, checks=tuple(c for c in result.checks if c.name in accepted))
 
 
-def _empty(setting: Setting, references: References) -> StudentResult:
-    folder = setting.workplace.staging / "submissions" / "empty"
+def _made_up(name: str, text: str, setting: Setting, references: References) -> StudentResult:
+    """Return the result of a sketch that nobody has handed in."""
+    folder = setting.workplace.staging / "submissions" / name
     folder.mkdir(parents=True)
-    (folder / "sketch.py").write_text(EMPTY, encoding="utf-8")
-    empty = Submission("empty", "empty", folder, PurePosixPath("sketch.py"), digest="empty")
-    return judge_submission(Task(empty, references.evidence, setting))
+    (folder / "sketch.py").write_text(text, encoding="utf-8")
+    own = Submission(name, name, folder, PurePosixPath("sketch.py"), digest=name)
+    return judge_submission(Task(own, references.evidence, setting))

@@ -113,7 +113,7 @@ def _record(setting: Setting, references: References) -> dict[str, str]:
         "python": platform.python_version(),
         "system": platform.platform(),
         "renderer": assignment.renderer,
-        **{f"renderer {name}": text for name, text in _driver(references.renderer).items()},
+        **_driver(references.renderer),
         "seed": str(assignment.seed),
         "sandbox": setting.level.in_words,
         "assignment": assignment.digest[:12],
@@ -121,7 +121,9 @@ def _record(setting: Setting, references: References) -> dict[str, str]:
 
 
 def _driver(renderer: Mapping[str, str]) -> dict[str, str]:
-    return {name: text for name, text in renderer.items() if name in ("renderer", "version")}
+    """Return what says more of a renderer than its name."""
+    words = {"renderer": "drawn by", "version": "driver"}
+    return {words[name]: text for name, text in renderer.items() if name in words}
 
 
 def _file(task: Task) -> Path:

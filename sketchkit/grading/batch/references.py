@@ -90,4 +90,18 @@ def copy_files(source: Path, folder: Path) -> None:
 def add_data(assignment: Assignment, folder: Path) -> None:
     """Lay the assignment's data beside a sketch; they win over its own files of these names."""
     if assignment.data is not None:
-        shutil.copytree(assignment.data, folder / "data", dirs_exist_ok=True)
+        lay_data(assignment.data, folder / "data")
+
+
+def lay_data(source: Path, folder: Path) -> None:
+    """Copy all files of a folder into another one; what is in their way is removed."""
+    for file in sorted(path for path in source.rglob("*") if path.is_file()):
+        path = file.relative_to(source)
+        target = folder / path
+        for place in (folder, *(folder / part for part in reversed(path.parents[:-1]))):
+            if place.is_file():
+                place.unlink()
+        if target.is_dir():
+            shutil.rmtree(target)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(file, target)

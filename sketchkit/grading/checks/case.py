@@ -113,7 +113,7 @@ def result(  # what a result is made of
 
 def missing_frame(run: RunEvidence, number: int) -> str:
     """Return why there is nothing of a frame, in a sentence."""
-    why = run.explanation.strip().rstrip(".")
+    why = run.explanation.strip().partition("\n")[0].rstrip(".")  # the rest is told elsewhere
     if not why:
         return f"There is no frame {number}."
     if run.status in (Status.REFUSED, Status.FAILED):

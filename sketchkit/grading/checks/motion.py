@@ -22,6 +22,7 @@ from sketchkit.runtime.watching import is_watchable
 
 USUAL_RELATIVE = 0.05  # of the range that the reference moves through
 EXAMPLE = 'Write values = ["ball.x", "angle"].'
+TURNS = {"radians": 2 * np.pi, "degrees": 360.0}
 BAND_EXAMPLE = "Write [[1, 0, 10], [60, 90, 110]]: frame, lowest, highest."
 
 Corners = tuple[tuple[int, float, float], ...]
@@ -43,6 +44,8 @@ class MotionRule:
     bands : dict of str to tuple of (frame, low, high)
         Of values whose band is written down.
     curve : MarkCurve
+    turn : float
+        What a whole turn is, if the values are angles: whole turns make no difference. 0 if not.
     """
 
     values: tuple[str, ...]
@@ -51,6 +54,7 @@ class MotionRule:
     shift: int
     curve: MarkCurve
     bands: dict[str, Corners] = field(default_factory=dict)
+    turn: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -96,7 +100,9 @@ def read(table: Table, check: Check) -> MotionRule:
             raise table.error(f"bands has {name}, which is not among the values.", "bands")
     absolute, relative = _read_tolerance(table)
     shift = read_shift(table, 0)
-    return MotionRule(values, absolute, relative, shift, read_curve(table, Measure.SHARE), bands)
+    turn = TURNS[table.choice("angles", tuple(TURNS), "radians")] if "angles" in table else 0.0
+    curve = read_curve(table, Measure.SHARE)
+    return MotionRule(values, absolute, relative, shift, curve, bands, turn)
 
 
 def needs(check: Check, rule: MotionRule) -> tuple[Run, ...]:
@@ -140,7 +146,10 @@ def _track(case: Case, rule: MotionRule, reference: RunEvidence, name: str, shif
     else:
         band = band_around(reference.values.get(name, ()), frames, rule.absolute, rule.relative)
     own_frames = band.frames + shift
-    return _Track(name, band, values_at(case.run.values.get(name, ()), own_frames), own_frames)
+    values = values_at(case.run.values.get(name, ()), own_frames)
+    if rule.turn:
+        values = values - rule.turn * np.round((values - (band.low + band.high) / 2) / rule.turn)
+    return _Track(name, band, values, own_frames)
 
 
 def _lateness(attempt: _Attempt) -> list[str]:

@@ -10,6 +10,7 @@ from sketchkit.grading.results import from_json, to_json
 SUBMISSION = "/submission"  # the sketch's folder
 EVENTS = "/events.json"
 TAPE = "/tape"
+LARGEST_SIDE = 8192  # px of a picture
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,13 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
+from sketchkit.core.errors import SketchError
 from sketchkit.grading.evidence import SourceFacts
+from sketchkit.pymode.reading import text_of
+from sketchkit.pymode.syntax import convert
 
 MOST_BYTES = 2 << 20  # of one file
+ENDINGS = (".py", ".pyde")
 STATEMENTS: dict[type[ast.AST], str] = {
     ast.For: "for",
     ast.While: "while",
@@ -34,12 +38,26 @@ STATEMENTS: dict[type[ast.AST], str] = {
 
 
 def read_sources(folder: Path) -> SourceFacts:
-    """Return what all Python files of a folder show; one that is no Python shows nothing."""
+    """Return what all Python files of a folder show; one that is no Python shows nothing.
+
+    Beside a sketch of Processing's Python Mode files may be in Python 2.
+    """
     facts = _Facts()
-    for path in sorted(folder.rglob("*.py")):
+    paths = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in ENDINGS]
+    is_python_mode = any(path.suffix.lower() == ".pyde" for path in paths)
+    for path in paths:
         if path.is_file() and path.stat().st_size <= MOST_BYTES:
-            facts.read(path.read_bytes())
+            facts.read(path.read_bytes(), is_python_mode=is_python_mode)
     return facts.result()
+
+
+def _parsed(data: bytes, *, is_python_mode: bool) -> ast.AST:
+    try:
+        return ast.parse(data)
+    except SyntaxError:
+        if not is_python_mode:
+            raise
+        return ast.parse(convert(text_of(data), "sketch").text)
 
 
 class _Facts:
@@ -50,14 +68,14 @@ class _Facts:
         self.classes: set[str] = set()
         self.names: set[str] = set()
 
-    def read(self, data: bytes) -> None:
+    def read(self, data: bytes, *, is_python_mode: bool) -> None:
         """Add what one file shows."""
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                tree = ast.parse(data)
+                tree = _parsed(data, is_python_mode=is_python_mode)
             self._take(tree)
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
+        except (SyntaxError, SketchError, ValueError, RecursionError, MemoryError):
             return
 
     def result(self) -> SourceFacts:

@@ -37,6 +37,7 @@ def main() -> None:
                 out.flush()  # whatever the sketch does next, this much is known
 
         record(launch, order.last, send, open_renderer, order.watched)
+    inside.leave()
 
 
 def _say(path: Path, line: int, text: str) -> None:

@@ -19,7 +19,13 @@ from sketchkit.core.notices import SketchWarning
 from sketchkit.draw.backend import Backend
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
-from sketchkit.grading.inside.orders import SUBMISSION, TAPE, RedrawOrder, redraw_order
+from sketchkit.grading.inside.orders import (
+    LARGEST_SIDE,
+    SUBMISSION,
+    TAPE,
+    RedrawOrder,
+    redraw_order,
+)
 from sketchkit.grading.inside.reading import read_sources
 from sketchkit.grading.inside.tracing import Tracer
 from sketchkit.grading.inside.variants import VARIANTS, changing
@@ -125,6 +131,12 @@ class Drawing:
 
     def _send_picture(self, numbers: Sequence[int]) -> None:
         """Send what is on the canvas as the picture of some frames."""
+        canvas = cast(Target, self.player.resources[self._canvas])
+        if max(canvas.width, canvas.height) > LARGEST_SIDE:
+            raise TapeError(
+                f"Its picture is {canvas.width} x {canvas.height} pixels, and no more "
+                f"than {LARGEST_SIDE} are looked at either way."
+            )
         data = picture_bytes(self.player.read(self._canvas)[:, :, :3], ".png")
         for number in numbers:
             self.send(Message("picture", {"frame": number, "variant": self.variant}, data))
@@ -196,6 +208,7 @@ def main() -> None:
             facts = read_sources(inside.path(SUBMISSION))
             send(Message("source", to_json(facts)))
         redraw(order, inside.path(TAPE), send, backend)
+    inside.leave()
 
 
 if __name__ == "__main__":

@@ -13,12 +13,22 @@ from sketchkit.draw.meshes import Mesh
 from sketchkit.draw.recorder import WHOLE, Kind
 from sketchkit.draw.resources import Pixels, Target, Texture
 from sketchkit.draw.rows import Rows
-from sketchkit.draw.shading import Shading
+from sketchkit.draw.shading import ShaderSource, Shading
 from sketchkit.draw.stage import Stage
+from sketchkit.glsl.interface import read_interface
 from sketchkit.grading.evidence import Trace
 
 # Names of kinds that differ from the recorder's: letters are what text() draws.
 NAMES = {Kind.LETTER: "text"}
+# Processing gives these to each shader that declares them, whatever the sketch sets.
+ALWAYS_GIVEN = frozenset({"resolution", "viewport"})
+# What a kept shape was made from is the tape's word: it counts only if it has the vertices for it.
+FEWEST_VERTICES = {
+    "box": 24,
+    "sphere": 12,
+    **dict.fromkeys(("rect", "quad", "image", "letter"), 4),
+    **dict.fromkeys(("ellipse", "arc", "triangle"), 3),
+}
 
 
 class Tracer:
@@ -34,6 +44,7 @@ class Tracer:
 
     def __init__(self, mesh_kinds: Mapping[Mesh, dict[str, int]]) -> None:
         self._mesh_kinds = mesh_kinds
+        self._declared: dict[ShaderSource, frozenset[str]] = {}
         self._begin()
 
     def _begin(self) -> None:
@@ -50,7 +61,7 @@ class Tracer:
         `canvas` is the main one: the others count as canvases.
         """
         for mesh in self._meshes:
-            self._kinds.update(self._mesh_kinds.get(mesh, {}))
+            self._kinds.update(_made_from(mesh, self._mesh_kinds.get(mesh, {})))
         trace = Trace(
             kinds=dict(sorted(self._kinds.items())),
             nesting=self._nesting,
@@ -93,7 +104,19 @@ class Tracer:
         for shading in stage.shadings:
             if isinstance(shading, Shading):
                 given = self._shaders.setdefault(shading.source.name, set())
-                given |= set(shading.uniforms.values)
+                given |= self.given_to(shading)
+
+    def given_to(self, shading: Shading) -> frozenset[str]:
+        """Return the uniforms of a shader that have been given a value."""
+        return self._uniforms(shading.source) & {*shading.uniforms.values, *ALWAYS_GIVEN}
+
+    def _uniforms(self, source: ShaderSource) -> frozenset[str]:
+        """Return the names of the uniforms that a shader declares."""
+        if source not in self._declared:
+            vertex, fragment = source.vertex, source.fragment
+            texts = vertex.text if vertex else None, fragment.text if fragment else None
+            self._declared[source] = frozenset(read_interface(*texts).uniforms)
+        return self._declared[source]
 
     def _take_textures(self, textures: Iterable[Texture | None]) -> None:
         for texture in textures:
@@ -101,6 +124,15 @@ class Tracer:
                 self._textures.add(texture)
             elif texture is not None:
                 self._targets.add(texture)
+
+
+def _made_from(mesh: Mesh, claimed: Mapping[str, int]) -> dict[str, int]:
+    """Return how many of each kind a kept shape can be made from, of those that are claimed."""
+    vertices = sum(len(block.positions) for block in mesh.blocks.values())
+    return {
+        kind: min(count, vertices // FEWEST_VERTICES.get(kind, 1))
+        for kind, count in claimed.items()
+    }
 
 
 def _textures(rows: Rows) -> Iterator[Texture | None]:

@@ -50,7 +50,10 @@ def collect(
     """
     entries = sorted(_entries(submissions, staging), key=_name)
     if not entries:
-        raise IntakeError(f"There are no submissions in {submissions}.")
+        raise IntakeError(
+            f"There are no submissions in {submissions}. "
+            "It holds a folder, a zip file or a Python file for each student."
+        )
     names = [_name(entry) for entry in entries]
     return tuple(
         _staged(entry, name, slug, staging, limits or IntakeLimits())

@@ -32,7 +32,8 @@ def table(result: ClassResult) -> bytes:
     a check that was not made.
     """
     file = io.StringIO()
-    writer = csv.writer(file)
+    # Where lists are separated by ";", as in German, a bare text would become several cells.
+    writer = csv.writer(file, quoting=csv.QUOTE_NONNUMERIC)
     for row in rows(result):
         writer.writerow([safe(cell) if isinstance(cell, str) else cell for cell in row])
     return file.getvalue().encode("utf-8-sig")

@@ -1,8 +1,10 @@
 import pytest
 
 from sketchkit.grading.assignment.assignment import Check
-from sketchkit.grading.checks.case import first_of, result
+from sketchkit.grading.checks.case import first_of, missing_frame, result
 from sketchkit.grading.checks.marks import BY_SHARE
+from sketchkit.grading.evidence import RunEvidence
+from sketchkit.grading.results import Status
 
 
 @pytest.mark.parametrize(
@@ -20,6 +22,12 @@ def test_reasons_are_said_once() -> None:
     assert result(check, 1, BY_SHARE, ["It is late.", "", "It is late."]).reasons == (
         "It is late.",
     )
+
+
+def test_first_line_of_an_explanation_is_enough_for_a_frame() -> None:
+    run = RunEvidence(Status.STOPPED, "a.py, line 2: size is not called.\n\n    2 | siez(1)\n")
+
+    assert missing_frame(run, 3) == "It stopped before frame 3: a.py, line 2: size is not called."
 
 
 def test_repetitions_are_counted() -> None:

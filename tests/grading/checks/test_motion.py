@@ -39,6 +39,18 @@ def test_band_is_as_wide_as_the_tolerance(tolerance: str, offset: float, score: 
     assert judged(check, own, moved(x=STEPS)).score == score
 
 
+@pytest.mark.parametrize(("unit", "turn"), [("radians", 2 * math.pi), ("degrees", 360)])
+def test_whole_turns_of_an_angle_make_no_difference(unit: str, turn: float) -> None:
+    angles = tuple(0.3 * turn * n for n in TEN)
+    text = f'values = ["x"]\ntolerance = 0.01\nangles = "{unit}"'
+    check = check_of("motion", text, frames=TEN)
+    wrapped = moved(x=tuple(angle % turn for angle in angles))
+    opposite = moved(x=tuple(angle + turn / 2 for angle in angles))
+
+    assert judged(check, wrapped, moved(x=angles)).score == 1
+    assert judged(check, opposite, moved(x=angles)).score == 0
+
+
 def test_share_of_frames_within_the_band() -> None:
     check = check_of("motion", 'values = ["x"]\ntolerance = 1', frames=TEN)
     own = moved(x=(*STEPS[:7], 0.0, 0.0, 0.0))

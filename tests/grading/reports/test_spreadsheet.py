@@ -38,7 +38,15 @@ def test_row_has_marks_of_all_checks() -> None:
 
 
 def test_file_begins_as_excel_expects_utf_8() -> None:
-    assert table(ClassResult("Boxes", ())).startswith(b"\xef\xbb\xbfname,")
+    assert table(ClassResult("Boxes", ())).startswith(b'\xef\xbb\xbf"name",')
+
+
+def test_name_with_a_semicolon_is_one_cell_where_these_separate_cells() -> None:
+    data = table(ClassResult("Boxes", (student(name="a;=1+1"),))).decode("utf-8-sig")
+
+    rows = list(csv.reader(io.StringIO(data, newline=""), delimiter=";"))
+
+    assert [len(row) for row in rows] == [1, 1]
 
 
 def test_marks_of_what_the_grader_failed_at_are_empty_not_zero() -> None:
