@@ -70,7 +70,7 @@ def _attempts(case: Case, rule: PictureRule) -> Iterator[Attempt | None]:
 
 def lateness(attempt: Attempt, case: Case) -> list[str]:
     """Return a sentence on the shift, if there is one, and what it does to the marks."""
-    if attempt.shift == 0:
+    if attempt.shift == 0 or attempt.score == 0:
         return []
     frames = f"{abs(attempt.shift)} frame{'s' if abs(attempt.shift) > 1 else ''}"
     when = "late" if attempt.shift > 0 else "early"

@@ -34,9 +34,10 @@ def slugs(names: Iterable[str]) -> list[str]:
     taken: set[str] = set()
     found = []
     for name in names:
-        slug = _slug(name)
-        if slug.lower() in taken:
-            mark = hashlib.sha256(name.encode("utf-8", "surrogateescape")).hexdigest()[:8]
+        slug, marked = _slug(name), name
+        while slug.lower() in taken:  # more than once, if someone has guessed the mark of another
+            marked += "."
+            mark = hashlib.sha256(marked.encode("utf-8", "surrogateescape")).hexdigest()[:8]
             slug = f"{slug[: SLUG_LENGTH - 9]}-{mark}"
         taken.add(slug.lower())
         found.append(slug)

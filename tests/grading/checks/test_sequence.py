@@ -35,6 +35,7 @@ def test_shift_beyond_what_is_tolerated_costs(tmp_path: Path) -> None:
     result = judged(check, growing(tmp_path / "s", 3), growing(tmp_path / "r"), tmp_path)
 
     assert result.score == 0
+    assert "costs no marks" not in " ".join(result.reasons)
 
 
 def test_animation_in_time_is_not_called_late(tmp_path: Path) -> None:

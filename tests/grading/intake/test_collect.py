@@ -13,6 +13,7 @@ from pathlib import Path, PurePosixPath
 import pytest
 
 from sketchkit.grading.intake.collect import IntakeError, collect
+from sketchkit.grading.intake.naming import slugs
 from sketchkit.grading.intake.submission import IntakeLimits, Submission
 
 SKETCH = "def setup():\n    size(100, 100)\n\ndef draw():\n    rect(10, 10, 20, 20)\n"
@@ -117,6 +118,15 @@ def test_slugs_differ_where_names_nearly_do(submissions: Path, collected: Collec
     assert len({one.slug.lower() for one in found}) == 7
     assert "con" not in {one.slug for one in found}
     assert not any(one.refusal for one in found)
+
+
+def test_slug_that_another_name_will_get_cannot_be_taken_before() -> None:
+    names = ["A", "a"]
+    guessed = slugs(names)[1]
+
+    found = slugs(["A", guessed.upper(), "a"])
+
+    assert len({slug.lower() for slug in found}) == 3
 
 
 def test_a_name_that_is_no_unicode_can_be_reported(submissions: Path, only: Only) -> None:
