@@ -16,6 +16,7 @@ from sketchkit.core.color import ColorMode
 from sketchkit.core.errors import SketchError, wrong_numbers
 from sketchkit.core.lights import Vector3
 from sketchkit.core.matrix import IDENTITY, Affine
+from sketchkit.core.notices import warn_once
 from sketchkit.core.style import NO_COLOR, Style
 from sketchkit.draw.recorder import (
     NO_CUSTOM,
@@ -185,15 +186,25 @@ class Pen:
 
     def _again(self, call: Callable[..., None], args: Sequence[object], usage: str) -> None:
         """Repeat a call whose row did not go into the buffer, or say what is wrong with it."""
-        if not self._recorder.make_room():
+        if self._recorder.make_room():
+            call(*args)
+        elif not any(map(_is_too_large, args)):
             self._refuse(call.__name__, args, usage)
-        call(*args)
+        else:  # series that run away end so; to Java it is infinite, and draws nothing
+            warn_once(
+                f"A number for {call.__name__}() is too large, and nothing is drawn: 3.4e38 is the "
+                "most."
+            )
 
     def _refuse(self, name: str, args: Sequence[object], usage: str) -> NoReturn:
         """Raise the error for wrong arguments, or for a weight that the row cannot hold."""
         if abs(self._weight) > c.MAX_FLOAT:  # seen late: a check in strokeWeight() would cost more
             raise wrong_numbers("strokeWeight", (self._weight,), "weight") from None
         raise wrong_numbers(name, args, usage) from None
+
+
+def _is_too_large(value: object) -> bool:
+    return isinstance(value, int | float) and abs(value) > c.MAX_FLOAT
 
 
 __all__ = ["BLACK", "FACING", "WHITE", "Block", "OpenShape", "PackError", "Pen"]

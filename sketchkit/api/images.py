@@ -12,6 +12,7 @@ from sketchkit.assets.pictures.images import EXTENSIONS
 from sketchkit.core.color import pack
 from sketchkit.core.constants import CENTER, CORNERS
 from sketchkit.core.errors import SketchError, shown
+from sketchkit.core.notices import warn_once
 from sketchkit.core.float32 import f32
 from sketchkit.core.matrix import IDENTITY, ortho
 from sketchkit.draw.pipeline import Clip
@@ -233,7 +234,7 @@ class Images(CanvasParts):
             self._pack_whole(Kind.CLEAR, pack(self._color_mode, *color, name="background"))
 
     def clear(self) -> None:
-        """Make the whole canvas transparent; of use on one of `createGraphics()`.
+        """Make the whole of a canvas of `createGraphics()` transparent.
 
         See Also
         --------
@@ -241,13 +242,24 @@ class Images(CanvasParts):
 
         Notes
         -----
-        Source: Processing's reference, clear().
+        In the window it does nothing, as in Processing. Source: Processing's reference, clear().
 
         Examples
         --------
-        >>> clear()
+        >>> pg = createGraphics(60, 60)
+        >>> with pg:
+        ...     pg.circle(30, 30, 40)
+        ...     pg.clear()
+        ...     pg.circle(30, 30, 20)
+        >>> image(pg, 20, 20)
         """
-        self._pack_whole(Kind.CLEAR, 0)
+        if self._is_offscreen:
+            self._pack_whole(Kind.CLEAR, 0)
+            return
+        warn_once(
+            "clear() is for canvases of createGraphics(): as in Processing, it does nothing in the "
+            "window. background(0) makes that black."
+        )
 
     def _background_image(self, pixels: Texture) -> None:
         """Clear, and draw an image over all."""

@@ -4,8 +4,9 @@ from PIL import Image
 
 from sketchkit.api.pimage import PImage
 from sketchkit.assets.paths import set_sketch_folder, sketch_folder
-from sketchkit.core.constants import ADD, ARGB, CENTER, CORNERS, P3D, RGB
+from sketchkit.core.constants import ADD, ARGB, CENTER, CORNERS, P2D, P3D, RGB
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from sketchkit.draw.commands import Clear
 from sketchkit.draw.pipeline import Blend, Clip, Program
 from tests.canvases import drawn, draws, fills, new_canvas
@@ -128,10 +129,22 @@ def test_background_replaces_all_pixels(flat, arguments, color):
     assert clear.color == color
 
 
-def test_clear_is_transparent(flat):
-    flat.clear()
+def test_clear_makes_a_canvas_transparent(flat):
+    canvas = flat.offscreen(20, 20, P2D, 1)
 
-    assert drawn(flat).commands[-1].color == (0, 0, 0, 0)
+    with canvas.beginDraw():
+        canvas.clear()
+
+        assert drawn(canvas).commands[-1].color == (0, 0, 0, 0)
+
+
+def test_clear_does_nothing_in_the_window(flat):
+    drawn(flat)
+
+    with pytest.warns(SketchWarning, match=r"background\(0\) makes that black"):
+        flat.clear()
+
+    assert not drawn(flat).commands
 
 
 def test_a_background_image_ignores_matrix_depth_lights_and_tint_but_not_clip_and_blend():

@@ -8,6 +8,7 @@ import pytest
 
 from sketchkit.backends.listing import ListingBackend
 from sketchkit.core.errors import SketchError
+from sketchkit.core.notices import SketchWarning
 from sketchkit.runtime.headless import Launch, render
 from sketchkit.runtime.report import StoppedError
 from tests.canvases import drawn, draws, fills
@@ -64,9 +65,11 @@ def test_text_that_is_a_number_gets_a_hint(flat):
     ],
     ids=["point", "line", "rect", "whole number", "circle", "triangle"],
 )
-def test_number_beyond_java_floats_is_too_large(flat, call):
-    with pytest.raises(SketchError, match=r"A number for \w+\(\) is too large"):
+def test_shape_with_a_number_beyond_java_floats_is_told_of_and_does_not_show(flat, call):
+    with pytest.warns(SketchWarning, match=r"A number for \w+\(\) is too large"):
         call(flat)
+
+    assert draws(drawn(flat)) == []
 
 
 @pytest.mark.parametrize("count", [1024, 1025, 5000])
