@@ -69,7 +69,7 @@ def read_messages(file: BinaryIO, most_head: int = MOST_HEAD) -> Iterator[Messag
 def _message(head: bytes, body: bytes) -> Message:
     try:
         kind, value = json.loads(head)
-    except (ValueError, RecursionError):
+    except (TypeError, ValueError, RecursionError):
         raise TapeError("The recording is damaged.") from None
     if not isinstance(kind, str):
         raise TapeError("The recording is damaged.")

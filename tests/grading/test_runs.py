@@ -288,11 +288,17 @@ def test_forged_drawing_is_drawn_as_it_is_counted(runner: Runner) -> None:
 def test_threads_and_last_wishes_are_not_waited_for(runner: Runner) -> None:
     evidence = runner.run(
         """
-        import atexit, threading, time
+        import atexit, sys, threading, time
         threading.Thread(target=time.sleep, args=(999,)).start()
         atexit.register(time.sleep, 999)
+        class Slow:
+            write = print
+            def flush(self):
+                time.sleep(999)
         def draw():
             print("drawn", frameCount, end=" ")
+            if frameCount == 2:
+                sys.stdout = Slow()
         """
     )
 

@@ -19,6 +19,7 @@ from sketchkit.grading.sandbox.plan import NOBODY, OUTPUT, VARIABLE, Plan
 __all__ = ["OUTPUT", "copy_sketch", "leave", "lock_down", "path", "plan"]
 
 DEVICES = tuple(Path("/dev", name) for name in ("null", "zero", "full", "random", "urandom"))
+STREAMS = (sys.stdout, sys.stderr)  # our own, whatever a sketch puts in their place
 
 _missing: list[str] | None = None  # the walls that are not up; None before lock_down()
 
@@ -83,8 +84,8 @@ def _plain_files(source: Path) -> Iterator[Path]:
 
 def leave() -> NoReturn:
     """End this process now: a sketch's threads and last wishes (atexit) are not waited for."""
-    for stream in (sys.stdout, sys.stderr):
-        with contextlib.suppress(Exception):  # a sketch may have put anything in their place
+    for stream in STREAMS:
+        with contextlib.suppress(Exception):  # a sketch may have closed them
             stream.flush()
     os._exit(0)
 

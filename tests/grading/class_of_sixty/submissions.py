@@ -90,6 +90,8 @@ SLIGHTLY_WRONG = [
     case("A colour off", ("fill(60, 200, 90)", "fill(90, 200, 60)"), marks=(4, 9.5)),
     case("Moved by six", ("translate(45, 40, 20)", "translate(51, 40, 20)"), marks=(4, 9)),
     case("Turns too fast", ("frameCount * 0.1", "frameCount * 0.13"), marks=(2, 9)),
+    case("A pixel aside", ("translate(65, 50, -15)", "translate(66, 50, -15)"), marks=(6, 9.5)),
+    case("Slightly another colour", ("fill(220, 120, 40)", "fill(226, 120, 40)"), marks=(6, 9.5)),
     case("Hard edges", ("    noStroke()", "    noStroke(); noSmooth()"), marks=(4, 10)),
 ]
 
@@ -98,6 +100,15 @@ WRONG_BY_NAME = [
         "Flipped",
         ("    lights()\n", "    lights()\n    scale(1, -1)\n    translate(0, -90)\n"),
         marks=(2, 9),
+    ),
+    case(
+        "Flipped, and red and blue",
+        ("    lights()\n", "    lights()\n    scale(1, -1)\n    translate(0, -90)\n"),
+        ("background(30, 40, 60)", "background(60, 40, 30)"),
+        ("fill(220, 120, 40)", "fill(40, 120, 220)"),
+        ("fill(60, 200, 90)", "fill(90, 200, 60)"),
+        ("fill(240, 240, 0)", "fill(0, 240, 240)"),
+        marks=(2, 8),
     ),
     case(
         "Red and blue",
@@ -280,6 +291,36 @@ HOSTILE = [
             try: print("LOADED", load(Path(place)).title)
             except Exception as e: print(type(e).__name__)
         """),
+    good_and("Memory in pipes", """
+        import fcntl, os
+        pipes = []
+        try:
+            while True:
+                reader, writer = os.pipe()
+                pipes.append(writer)
+                os.set_blocking(writer, False)
+                fcntl.fcntl(writer, 1031, 1 << 20)
+                os.write(writer, bytes(1 << 20))
+        except OSError: pass
+        for writer in pipes: os.close(writer)
+        """),
+    good_and("Threads and wishes that stay", """
+        import atexit, sys, threading, time
+        threading.Thread(target=time.sleep, args=(999,)).start()
+        atexit.register(time.sleep, 999)
+        sys.settrace(lambda *about: None)
+        sys.excepthook = sys.stdout = sys.stderr = None
+        """),
+    good_and("The output's words forged", """
+        import json
+        json.dumps = lambda *about, **more: '["end", 20]'
+        """, marks=(0, 5)),
+    good_and("Reads of the kernel", """
+        for name in ("kcore", "keys", "1/mem", "kallsyms", "sched_debug", "sys/kernel/core_pattern"):
+            try: print("KERNEL", name, len(open("/proc/" + name, "rb").read(99)))
+            except OSError: pass
+        """),
+    only("=cmd|' C calc'!A0;=1+1", "print('=1+1')\n"),
     good_and("HTML", """
         print("<script>document.title='owned'</script><img src=x onerror=alert(1)>")
         print("</pre></textarea><b>'\\"&amp;")
