@@ -2,7 +2,7 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-from sketchkit.grading.assignment.proof import prove, unlike_evidence
+from sketchkit.grading.assignment.proof import free_marks, prove, unlike_evidence
 from sketchkit.grading.evidence import Evidence, RunEvidence, Trace
 from sketchkit.grading.results import CheckResult, Comparison, Curve, Status, StudentResult
 
@@ -69,6 +69,14 @@ def test_marks_for_nothing_are_told() -> None:
     (said,) = prove(REFERENCE, REFERENCE, generous)
 
     assert said.startswith("A sketch that does nothing gets 1 of 4 marks in 'A box': ask")
+
+
+def test_marks_for_next_to_nothing_are_told() -> None:
+    generous = replace(EMPTY, checks=(replace(BOX, score=0.25, points=1.0), NOTHING[1]))
+
+    (said,) = free_marks(generous, "A sketch that only clears its picture")
+
+    assert said.startswith("A sketch that only clears its picture gets 1 of 4 marks in 'A box'")
 
 
 def shown(folder: Path, picture: bytes, x: float = 1.0, box: int = 1) -> Evidence:

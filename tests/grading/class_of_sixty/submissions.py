@@ -316,7 +316,7 @@ HOSTILE = [
         json.dumps = lambda *about, **more: '["end", 20]'
         """, marks=(0, 5)),
     good_and("Reads of the kernel", """
-        for name in ("kcore", "keys", "1/mem", "kallsyms", "sched_debug", "sys/kernel/core_pattern"):
+        for name in ("kcore", "keys", "1/mem", "kallsyms", "sched_debug", "kmsg"):
             try: print("KERNEL", name, len(open("/proc/" + name, "rb").read(99)))
             except OSError: pass
         """),
