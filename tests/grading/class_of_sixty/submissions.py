@@ -91,7 +91,7 @@ SLIGHTLY_WRONG = [
     case("Moved by six", ("translate(45, 40, 20)", "translate(51, 40, 20)"), marks=(4, 9)),
     case("Turns too fast", ("frameCount * 0.1", "frameCount * 0.13"), marks=(2, 9)),
     case("A pixel aside", ("translate(65, 50, -15)", "translate(66, 50, -15)"), marks=(6, 9.5)),
-    case("Slightly another colour", ("fill(220, 120, 40)", "fill(226, 120, 40)"), marks=(6, 9.5)),
+    case("Slightly another colour", ("fill(220, 120, 40)", "fill(226, 120, 40)"), marks=(4, 9.5)),
     case("Hard edges", ("    noStroke()", "    noStroke(); noSmooth()"), marks=(4, 10)),
 ]
 
