@@ -12,9 +12,9 @@ from sketchkit.assets.pictures.images import EXTENSIONS
 from sketchkit.core.color import pack
 from sketchkit.core.constants import CENTER, CORNERS
 from sketchkit.core.errors import SketchError, shown
-from sketchkit.core.notices import warn_once
 from sketchkit.core.float32 import f32
 from sketchkit.core.matrix import IDENTITY, ortho
+from sketchkit.core.notices import warn_once
 from sketchkit.draw.pipeline import Clip
 from sketchkit.draw.recorder import ROW, Kind, PackError, pack_row8
 from sketchkit.draw.resources import Texture
