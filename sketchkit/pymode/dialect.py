@@ -1,12 +1,14 @@
 """Which Python a .py file is in: many sketches of Python Mode are published as .py files.
 
-Only what cannot be Python 3, and is Python 2 as it stands, counts as Python 2: a sketch in Python 3
-with one `print x` in it is one with a mistake, if anything in it is newer than Python 2.
+Only what cannot be Python 3, in more places than one, and is Python 2 as it stands, counts as
+Python 2. A single `print x` is a slip of somebody who writes Python 3, and so are several if
+anything is newer than Python 2: the mistake is told then, and no division cuts off fractions.
 """
 
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -17,6 +19,11 @@ from sketchkit.pymode.syntax import change, convert, parse, refactoring
 
 # What is written otherwise in Python 3, and is no mere slip of somebody who writes Python 3.
 SIGNS = ("except", "exec", "ne", "print", "raise", "repr", "throw", "tuple_params")
+# A quick look for any of them, which may find too much: the library takes its time.
+LOOKS_OLD = re.compile(
+    r"\b(?:print|exec)\b\s*[^\s(=.,:)\]]|\b(?:except|raise|throw)\b.*,|<>|`|(?:def|lambda)\b.*\(.*:"
+)
+MOST_SLIPS = 1  # places
 NEWER = (
     *(ast.AnnAssign, ast.AsyncFunctionDef, ast.JoinedStr, ast.Match, ast.MatMult, ast.NamedExpr),
     *(ast.Nonlocal, ast.YieldFrom),
@@ -85,14 +92,17 @@ def _line_of_python_2(data: bytes) -> int | None:
 
 
 def _is_python_2(text: str) -> bool:
+    if not LOOKS_OLD.search(text):
+        return False
     try:
         tree = parse(text)
     except SketchError:  # what converts is not installed
         return False
     if tree is None:
         return False
-    before = str(tree)
-    if str(change(tree, refactoring(SIGNS))) == before:
+    before = str(tree).splitlines()
+    after = str(change(tree, refactoring(SIGNS))).splitlines()
+    if sum(old != new for old, new in zip(before, after, strict=False)) <= MOST_SLIPS:
         return False
     try:
         converted = convert(text, "").tree("")

@@ -185,8 +185,11 @@ def _steps(trace: TracebackType | None, program: Program) -> Iterator[Step]:
 
 
 def _is_inside_sketchkit(trace: TracebackType | None) -> bool:
-    files = [frame.f_code.co_filename for frame, _ in traceback.walk_tb(trace)]
-    return bool(files) and files[-1].startswith(PACKAGE)
+    """Tell whether a function of sketchkit raised it; what only stands before one is none."""
+    frames = [frame for frame, _ in traceback.walk_tb(trace)]
+    while frames and "__tracebackhide__" in frames[-1].f_code.co_varnames:
+        frames.pop()
+    return bool(frames) and frames[-1].f_code.co_filename.startswith(PACKAGE)
 
 
 def _position(frame: FrameType, instruction: int) -> Position | None:

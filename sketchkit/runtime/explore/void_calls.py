@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, MutableMapping
 from contextlib import contextmanager
+from functools import wraps
 from typing import Any
 
 from sketchkit.api.graphics import PGraphics
@@ -81,7 +82,9 @@ def _watched(
 ) -> Callable[..., object]:
     """Return a function that does the same, and tells if nothing was recorded."""
 
+    @wraps(original)
     def call(*args: Any, **named: Any) -> object:  # noqa: ANN401 # the original says what is wrong
+        __tracebackhide__ = True  # to a mistake in the call, it is the original that was called
         recorder = canvas._recorder
         before, shape = recorder.row_end, canvas._shape
         vertices = 0 if shape is None else (recorder.corner_end - shape.first) // CORNER

@@ -112,7 +112,7 @@ def _called_function(mistake: Mistake, call: ast.Call) -> Callable[..., object] 
                 function = mistake.value_of(node)
     except (LookupError, AttributeError):
         return None
-    return function if callable(function) else None
+    return inspect.unwrap(function) if callable(function) else None
 
 
 def _problem(name: str, function: Callable[..., object]) -> str:

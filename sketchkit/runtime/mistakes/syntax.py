@@ -17,6 +17,9 @@ JAVA_TYPES = (
 )
 
 
+OLDER = " A whole sketch in Python 2 runs with --python-mode."
+
+
 class LineRule(NamedTuple):
     """What the line looks like, and what to say, with the groups of the pattern in it."""
 
@@ -72,12 +75,14 @@ LINE_RULES = (
     LineRule(
         r"^\s*print\s+\S",
         "print is a function in Python 3.",
-        "Write print(...), with brackets.",
+        f"Write print(...), with brackets.{OLDER}",
     ),
-    LineRule(r"^\s*except\s+\w+\s*,\s*\w+\s*:", "This is Python 2.", "Write except Error as e:"),
-    LineRule(r"^\s*raise\s+\w+\s*,", "This is Python 2.", "Write raise Error(text)."),
-    LineRule(r"^\s*exec\s+\S", "exec is a function in Python 3.", "Write exec(...)."),
-    LineRule(r"<>", "<> is Python 2.", "Write !=."),
+    LineRule(
+        r"^\s*except\s+\w+\s*,\s*\w+\s*:", "This is Python 2.", f"Write except Error as e:{OLDER}"
+    ),
+    LineRule(r"^\s*raise\s+\w+\s*,", "This is Python 2.", f"Write raise Error(text).{OLDER}"),
+    LineRule(r"^\s*exec\s+\S", "exec is a function in Python 3.", f"Write exec(...).{OLDER}"),
+    LineRule(r"<>", "<> is Python 2.", f"Write !=.{OLDER}"),
 )
 
 MESSAGE_RULES = (
