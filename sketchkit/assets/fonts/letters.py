@@ -40,6 +40,8 @@ WITHOUT_WIDTH = frozenset("\t\r\n\u2028\u2029")  # Java gives them neither width
 NOWHERE = "\uffff"  # a code that no font has a letter for
 PIXEL = 64  # FreeType counts lengths in 64ths, and factors in 65536ths
 ONE = 1 << 16
+SMALLEST, LARGEST = 0.5, 65535.0  # sizes that FreeType takes, in pixels
+LARGEST_DRAWN = 8192.0  # beyond it a corner of a letter fills what an image of letters can hold
 
 
 class Shape(NamedTuple):
@@ -181,7 +183,7 @@ def _draw(
     path: str, size: float, character: str, is_smooth: bool = True, is_hinted: bool = True
 ) -> Shape:
     """Return the shape of a letter."""
-    font = _open(path, size, is_hinted)
+    font = _open(path, min(size, LARGEST_DRAWN), is_hinted)
     drawn, (left, top) = font.getmask2(character, mode="L" if is_smooth else "1", anchor="ls")
     width, height = drawn.size
     mask = np.frombuffer(bytes(drawn), np.uint8).reshape(height, width)
@@ -207,6 +209,7 @@ def _is_in(path: str, character: str) -> bool:
 
 @lru_cache(maxsize=64)
 def _open(path: str, size: float, is_hinted: bool = True) -> ImageFont.FreeTypeFont:
+    size = min(max(size, SMALLEST), LARGEST)
     try:
         original = _bytes(path)
         data = as_java_reads(original, int(size)) if is_hinted else _unhinted(path)

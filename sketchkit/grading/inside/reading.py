@@ -13,6 +13,7 @@ from pathlib import Path
 
 from sketchkit.core.errors import SketchError
 from sketchkit.grading.evidence import SourceFacts
+from sketchkit.pymode.dialect import sign_of_python_2
 from sketchkit.pymode.reading import text_of
 from sketchkit.pymode.syntax import convert
 
@@ -40,15 +41,26 @@ STATEMENTS: dict[type[ast.AST], str] = {
 def read_sources(folder: Path) -> SourceFacts:
     """Return what all Python files of a folder show; one that is no Python shows nothing.
 
-    Beside a sketch of Processing's Python Mode files may be in Python 2.
+    Where one is a sketch of Processing's Python Mode, or can only be Python 2, all may be in it.
     """
     facts = _Facts()
-    paths = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in ENDINGS]
-    is_python_mode = any(path.suffix.lower() == ".pyde" for path in paths)
-    for path in paths:
-        if path.is_file() and path.stat().st_size <= MOST_BYTES:
-            facts.read(path.read_bytes(), is_python_mode=is_python_mode)
+    files = [path for path in sorted(folder.rglob("*")) if _is_source(path)]
+    is_python_mode = any(_is_python_2(path) for path in files)
+    for path in files:
+        facts.read(path.read_bytes(), is_python_mode=is_python_mode)
     return facts.result()
+
+
+def _is_source(path: Path) -> bool:
+    is_named = path.suffix.lower() in ENDINGS
+    return is_named and path.is_file() and path.stat().st_size <= MOST_BYTES
+
+
+def _is_python_2(path: Path) -> bool:
+    try:
+        return path.suffix.lower() == ".pyde" or sign_of_python_2(path) is not None
+    except (RecursionError, MemoryError):
+        return False
 
 
 def _parsed(data: bytes, *, is_python_mode: bool) -> ast.AST:

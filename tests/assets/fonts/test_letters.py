@@ -58,6 +58,12 @@ def test_letters_that_are_not_smooth_have_two_levels():
     assert set(rough.shape("g", 20, is_hinted=True).mask.ravel().tolist()) == {0, 255}
 
 
+@pytest.mark.parametrize("size", [0.01, 0.4, 70_000.0, 1e9])
+def test_there_are_letters_of_every_size(size):
+    assert DEFAULT.shape("a", size, is_hinted=True).mask.size
+    assert DEFAULT.advance("a", size, is_hinted=True) >= 0
+
+
 def test_what_is_no_font_is_told(tmp_path):
     path = tmp_path / "letters.ttf"
     path.write_text("abc")

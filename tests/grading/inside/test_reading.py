@@ -27,7 +27,13 @@ def test_python_2_is_read_beside_a_sketch_of_python_mode(tmp_path: Path) -> None
     assert facts.functions == ("draw", "move")
 
 
-def test_python_2_is_no_python_elsewhere(tmp_path: Path) -> None:
+def test_a_file_that_can_only_be_python_2_is_read_as_that(tmp_path: Path) -> None:
+    (tmp_path / "sketch.py").write_text("print 'begun'\nprint 'moved'\n" + SOURCE)
+
+    assert set(read_sources(tmp_path).calls) == {"circle", "print"}
+
+
+def test_a_slip_into_python_2_is_no_python(tmp_path: Path) -> None:
     (tmp_path / "sketch.py").write_text("print 'moved'\n" + SOURCE)
 
     assert read_sources(tmp_path).calls == {}
