@@ -287,7 +287,7 @@ def test_files_are_watched_with_their_modules(tmp_path: Path) -> None:
 
 
 def test_py_file_that_is_python_2_runs_as_python_mode_and_is_told_so(tmp_path: Path) -> None:
-    sketch = old(tmp_path, "x = 7 / 2\nprint x\n", "old.py")
+    sketch = old(tmp_path, "x = 7 / 2\nprint x\nprint -x\n", "old.py")
     remarks = Remarks()
 
     assert play(sketch, remarks=remarks)["x"] == 3
@@ -298,7 +298,7 @@ def test_py_file_that_is_python_2_runs_as_python_mode_and_is_told_so(tmp_path: P
 
 
 def test_py_file_whose_module_is_python_2_runs_as_python_mode(tmp_path: Path) -> None:
-    old(tmp_path, "def half(x):\n    print x\n    return x / 2\n", "parts.py")
+    old(tmp_path, "def half(x):\n    print x\n    print -x\n    return x / 2\n", "parts.py")
     sketch = old(tmp_path, "from parts import half\nx = half(7)\n", "old.py")
     remarks = Remarks()
 
