@@ -196,7 +196,7 @@ HOSTILE = [
         """),
     good_and("Writes outside", """
         import os
-        for place in ["/", "/usr", "/submission", "/etc", "/tmp", "/work", os.path.expanduser("~")]:
+        for place in ["/", "/usr", "/submission", "/etc", "/tmp", os.path.expanduser("~")]:
             try: open(os.path.join(place, "owned-by-a-sketch"), "w").write("x")
             except OSError: pass
         """),
