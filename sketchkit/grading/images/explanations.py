@@ -23,6 +23,7 @@ from sketchkit.grading.images.measuring import Amount, Measure, amount
 from sketchkit.grading.images.shifts import shift, shifted
 from sketchkit.grading.images.transformations import Transformation, both, colors, places
 from sketchkit.grading.images.words import direction, percent
+from sketchkit.imaging.flatness import is_flat
 
 U8 = NDArray[np.uint8]
 
@@ -119,11 +120,6 @@ def _is_nearer(submitted: U8, picture: U8, expected: U8) -> bool:
     """Return whether a picture is more like the submitted one than the expected picture is."""
     before, after = (_distance(submitted, other) for other in (expected, picture))
     return after <= NEARER * before
-
-
-def is_flat(picture: U8) -> bool:
-    """Return whether a picture is of one colour, rounding aside."""
-    return int(np.ptp(picture.reshape(-1, 3), axis=0).max()) <= 2
 
 
 def _trials(submitted: U8, expected: U8, found: Measure, among: Among) -> Iterator[Trial]:

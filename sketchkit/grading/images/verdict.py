@@ -15,11 +15,12 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from sketchkit.grading.images.explanations import Among, Explanation, explain, is_flat
+from sketchkit.grading.images.explanations import Among, Explanation, explain
 from sketchkit.grading.images.heat import flat_heat, heat_map
 from sketchkit.grading.images.measuring import Measure, amount, measure, strictly
 from sketchkit.grading.images.sizes import explain_size
 from sketchkit.grading.images.words import Box, color, percent, place
+from sketchkit.imaging.flatness import is_flat
 
 U8 = NDArray[np.uint8]
 

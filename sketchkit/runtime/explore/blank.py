@@ -9,12 +9,13 @@ import numpy as np
 
 from sketchkit.draw.recorder import WHOLE, Kind
 from sketchkit.draw.vertex import U8
+from sketchkit.imaging.flatness import ALIKE, is_flat
 from sketchkit.runtime.explore.calls import Site, sites
 from sketchkit.runtime.explore.cases import Case
 from sketchkit.runtime.explore.describe import Surroundings, chain_of
 from sketchkit.runtime.explore.log import FrameLog
 from sketchkit.runtime.explore.noting import Chain
-from sketchkit.runtime.explore.reasons import ALIKE, Verdict, reason_of
+from sketchkit.runtime.explore.reasons import Verdict, reason_of
 
 MOST_CALLS = 12  # that are looked at
 MOST_TOLD = 3
@@ -53,15 +54,6 @@ class Unseen:
     site: Site
     count: int
     reason: str
-
-
-def is_flat(pixels: U8) -> bool:
-    """Return whether a picture, (h, w, 3 or 4), looks like a single colour."""
-    first = pixels[0, 0, :3].astype(np.int16)
-    few = pixels[:: max(pixels.shape[0] // 8, 1), :: max(pixels.shape[1] // 8, 1), :3]
-    if np.abs(few.astype(np.int16) - first).max() > ALIKE:
-        return False
-    return bool((np.ptp(pixels[..., :3], axis=(0, 1)) <= ALIKE).all())
 
 
 def remark_on(log: FrameLog, around: Surroundings, pixels: U8, frame: int) -> Remark | None:

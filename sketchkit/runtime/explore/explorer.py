@@ -17,8 +17,9 @@ from sketchkit.api.graphics import PGraphics
 from sketchkit.core.constants import CODED, LEFT, RIGHT
 from sketchkit.draw.renderer import Renderer
 from sketchkit.draw.resources import Target
+from sketchkit.imaging.flatness import is_flat
 from sketchkit.runtime.events import AnyEvent
-from sketchkit.runtime.explore.blank import Remark, is_flat, remark_on
+from sketchkit.runtime.explore.blank import Remark, remark_on
 from sketchkit.runtime.explore.describe import surroundings
 from sketchkit.runtime.explore.inspection import Inspection, look, report, short_report
 from sketchkit.runtime.explore.log import MOST_KEPT, FrameLog

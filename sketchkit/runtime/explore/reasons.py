@@ -12,6 +12,7 @@ from sketchkit.draw.commands import Draw, DrawMesh
 from sketchkit.draw.pipeline import Program
 from sketchkit.draw.recorder import Kind
 from sketchkit.draw.resources import Pixels, Target
+from sketchkit.imaging.flatness import ALIKE
 from sketchkit.runtime.explore.cases import Case, Piece, pieces_of
 from sketchkit.runtime.explore.describe import describe, light_in_words
 from sketchkit.runtime.explore.layers import Layer, Part
@@ -19,7 +20,6 @@ from sketchkit.runtime.explore.log import FrameLog, Moment
 from sketchkit.runtime.explore.obstacles import obstacle_in_words
 from sketchkit.runtime.explore.pixel import history
 
-ALIKE = 2  # of 255: colours that differ by no more look the same
 LEAST = 3  # vertices of a fill
 LIT = (Program.LIT, Program.TEXTURED_LIT)
 NOTHING_LEFT = {
